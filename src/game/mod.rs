@@ -1,0 +1,15 @@
+//! The game without pixels: what the player aims, practice on an open table.
+
+pub mod aim;
+pub mod practice;
+
+use bevy::prelude::*;
+
+/// The game without pixels.
+pub struct GamePlugin;
+
+impl Plugin for GamePlugin {
+    fn build(&self, app: &mut App) {
+        app.add_plugins((aim::plugin, practice::plugin));
+    }
+}

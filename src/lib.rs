@@ -1,0 +1,3 @@
+//! Massé: a billiards game and simulator.
+
+pub mod physics;

@@ -1,0 +1,116 @@
+//! When two things on the table will touch: the one place where both solvers, the aim line and the tests ask.
+//!
+//! Every function takes paths whose local time 0 is *now* and answers with the smallest time at or after now, and not
+//! after `horizon`, at which the two touch **while they approach**. A pair that already touches or overlaps and
+//! approaches meets now (0); one that separates is not met. `reach` is the distance of the centres at contact.
+//! Nothing is ever lost silently: numbers that are not finite are an error that carries them.
+
+use glam::{DVec2, DVec3};
+
+use crate::physics::laws::motion::Piece;
+use crate::physics::roots::{self, RootError};
+use crate::physics::table::{Arc, Line, Pocket};
+
+/// A path with constant acceleration seen from now.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Track {
+    /// Position now, m.
+    pub position: DVec3,
+    /// Velocity now, m/s.
+    pub velocity: DVec3,
+    /// Acceleration, m/s².
+    pub acceleration: DVec3,
+}
+
+impl Track {
+    /// The rest of a piece of path, `age` seconds after its start.
+    #[must_use]
+    pub fn of(piece: &Piece, age: f64) -> Self {
+        Self {
+            position: piece.position(age),
+            velocity: piece.velocity(age),
+            acceleration: piece.acceleration,
+        }
+    }
+
+    fn plan(vector: DVec3) -> DVec2 {
+        DVec2::new(vector.x, vector.z)
+    }
+}
+
+/// When two balls meet whose radii add up to `reach`.
+///
+/// # Errors
+/// [`RootError`] if a number is not finite.
+pub fn pair(first: &Track, second: &Track, reach: f64, horizon: f64) -> Result<Option<f64>, RootError> {
+    let offset = second.position - first.position;
+    let velocity = second.velocity - first.velocity;
+    let half = 0.5 * (second.acceleration - first.acceleration);
+    circle(
+        [offset.length_squared() - reach * reach, 2.0 * offset.dot(velocity),
+            velocity.length_squared() + 2.0 * offset.dot(half), 2.0 * velocity.dot(half), half.length_squared()],
+        horizon,
+    )
+}
+
+/// When a ball of this radius meets the straight part of a nose, from either side.
+///
+/// # Errors
+/// [`RootError`] if a number is not finite.
+pub fn line(track: &Track, line: &Line, radius: f64, horizon: f64) -> Result<Option<f64>, RootError> {
+    let along = line.to - line.from;
+    let length = along.length();
+    let along = along / length;
+    let mut normal = along.perp();
+    let (p, v, half) = (
+        Track::plan(track.position) - line.from,
+        Track::plan(track.velocity),
+        0.5 * Track::plan(track.acceleration),
+    );
+    if p.dot(normal) < 0.0 {
+        normal = -normal;
+    }
+    let mut from = 0.0;
+    // A path can leave the line and meet it again beyond its end, so each crossing is tried in turn.
+    for _ in 0..2 {
+        let Some(time) = roots::quadratic::first_closing(
+            [p.dot(normal) - radius, v.dot(normal), half.dot(normal)], from, horizon)? else {
+            return Ok(None);
+        };
+        let foot = p.dot(along) + time * (v.dot(along) + time * half.dot(along));
+        if (0.0..=length).contains(&foot) {
+            return Ok(Some(time));
+        }
+        from = time.next_up();
+    }
+    Ok(None)
+}
+
+/// When a ball of this radius meets a round nose from outside.
+///
+/// # Errors
+/// [`RootError`] if a number is not finite.
+pub fn arc(track: &Track, arc: &Arc, radius: f64, horizon: f64) -> Result<Option<f64>, RootError> {
+    circle(plan_circle(track, arc.center, radius + arc.radius), horizon)
+}
+
+/// When the centre of a ball passes the edge of a hole inwards.
+///
+/// # Errors
+/// [`RootError`] if a number is not finite.
+pub fn pocket(track: &Track, pocket: &Pocket, horizon: f64) -> Result<Option<f64>, RootError> {
+    circle(plan_circle(track, pocket.center, pocket.radius), horizon)
+}
+
+/// Coefficients, constant first, of |p(t) − c|² − reach² in plan.
+fn plan_circle(track: &Track, center: DVec2, reach: f64) -> [f64; 5] {
+    let p = Track::plan(track.position) - center;
+    let v = Track::plan(track.velocity);
+    let half = 0.5 * Track::plan(track.acceleration);
+    [p.length_squared() - reach * reach, 2.0 * p.dot(v), v.length_squared() + 2.0 * p.dot(half),
+        2.0 * v.dot(half), half.length_squared()]
+}
+
+fn circle(coefficients: [f64; 5], horizon: f64) -> Result<Option<f64>, RootError> {
+    roots::quartic::first_closing(coefficients, 0.0, horizon)
+}

@@ -1,0 +1,113 @@
+//! Impact of two balls.
+
+mod friction;
+mod frictional;
+mod frictionless;
+
+pub use friction::Friction;
+pub use frictional::Frictional;
+pub use frictionless::Frictionless;
+
+use glam::DVec3;
+use serde::{Deserialize, Serialize};
+
+use crate::physics::ball::{Ball, State};
+use crate::physics::laws::{Check, Parameter};
+
+/// The geometry of one impact, and what may override the law in a settling contact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PairContact {
+    /// Unit vector from the first to the second ball; horizontal when both are on the slate.
+    pub normal: DVec3,
+    /// Both balls are held on the slate: the vertical part of the outcome goes into the table.
+    pub on_slate: bool,
+    /// Restitution to use instead of the law's own, for a contact that is coming to rest.
+    pub restitution: Option<f64>,
+}
+
+impl PairContact {
+    /// The contact of two balls at these positions.
+    #[must_use]
+    pub fn between(first: &State, second: &State) -> Self {
+        let on_slate = first.motion != crate::physics::ball::Motion::Airborne
+            && second.motion != crate::physics::ball::Motion::Airborne;
+        let mut offset = second.position - first.position;
+        if on_slate {
+            offset.y = 0.0;
+        }
+        Self {
+            normal: offset.normalize(),
+            on_slate,
+            restitution: None,
+        }
+    }
+}
+
+/// Velocities after an impact of two balls.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PairOutcome {
+    /// The first ball.
+    pub first: State,
+    /// The second ball.
+    pub second: State,
+    /// Normal impulse in N s.
+    pub impulse: f64,
+}
+
+/// How two balls collide.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub enum BallBallLaw {
+    /// Impulse along the line of centres only.
+    Frictionless(Frictionless),
+    /// Impulse along the line of centres and Coulomb friction across it: throw and spin transfer.
+    Frictional(Frictional),
+}
+
+impl BallBallLaw {
+    /// One of each registered law, with its default parameters.
+    #[must_use]
+    pub fn all() -> Vec<Self> {
+        vec![
+            Self::Frictionless(Frictionless::default()),
+            Self::Frictional(Frictional::default()),
+        ]
+    }
+
+    /// Velocities after the impact; positions and motion labels are left as they are. A pair that separates is
+    /// returned unchanged.
+    #[must_use]
+    pub fn collide(
+        &self,
+        first: (&Ball, &State),
+        second: (&Ball, &State),
+        contact: &PairContact,
+    ) -> PairOutcome {
+        let mut outcome = match self {
+            Self::Frictionless(law) => law.collide(first, second, contact),
+            Self::Frictional(law) => law.collide(first, second, contact),
+        };
+        if contact.on_slate {
+            outcome.first.velocity.y = 0.0;
+            outcome.second.velocity.y = 0.0;
+        }
+        outcome
+    }
+
+    /// The law's own restitution.
+    #[must_use]
+    pub fn restitution(&self) -> f64 {
+        match self {
+            Self::Frictionless(law) => law.restitution,
+            Self::Frictional(law) => law.restitution,
+        }
+    }
+}
+
+impl Check for BallBallLaw {
+    fn parameters(&self) -> Vec<Parameter> {
+        match self {
+            Self::Frictionless(law) => law.parameters(),
+            Self::Frictional(law) => law.parameters(),
+        }
+    }
+}

@@ -1,0 +1,86 @@
+//! Impact of a ball and a cushion.
+
+mod han_2005;
+mod mirror;
+
+pub use han_2005::Han2005;
+pub use mirror::Mirror;
+
+use glam::DVec3;
+use serde::{Deserialize, Serialize};
+
+use crate::physics::ball::{Ball, State};
+use crate::physics::laws::{Check, Parameter};
+
+/// The geometry of one rebound.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CushionContact {
+    /// Horizontal unit vector from the cushion to the ball.
+    pub normal: DVec3,
+    /// Height of the nose above the slate in m.
+    pub nose_height: f64,
+    /// Restitution to use instead of the law's own, for a contact that is coming to rest.
+    pub restitution: Option<f64>,
+}
+
+/// Velocities after a rebound.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rebound {
+    /// The ball.
+    pub state: State,
+    /// Impulse in N s along the horizontal normal.
+    pub impulse: f64,
+}
+
+/// How a cushion throws a ball back.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub enum CushionLaw {
+    /// The normal velocity turns round, scaled by the restitution; all else stays.
+    Mirror(Mirror),
+    /// Han's rigid impact at the height of the nose, with friction.
+    Han2005(Han2005),
+}
+
+impl CushionLaw {
+    /// One of each registered law, with its default parameters.
+    #[must_use]
+    pub fn all() -> Vec<Self> {
+        vec![
+            Self::Mirror(Mirror::default()),
+            Self::Han2005(Han2005::default()),
+        ]
+    }
+
+    /// Velocities after the rebound; position and motion label are left as they are. A ball that leaves the cushion
+    /// is returned unchanged.
+    #[must_use]
+    pub fn rebound(&self, ball: &Ball, state: &State, contact: &CushionContact) -> Rebound {
+        if state.velocity.dot(contact.normal) >= 0.0 {
+            return Rebound {
+                state: *state,
+                impulse: 0.0,
+            };
+        }
+        let after = match self {
+            Self::Mirror(law) => law.rebound(state, contact),
+            Self::Han2005(law) if ball.spins => law.rebound(ball, state, contact),
+            Self::Han2005(law) => Mirror {
+                restitution: law.restitution,
+            }
+            .rebound(state, contact),
+        };
+        Rebound {
+            state: after,
+            impulse: ball.mass * (after.velocity - state.velocity).dot(contact.normal),
+        }
+    }
+}
+
+impl Check for CushionLaw {
+    fn parameters(&self) -> Vec<Parameter> {
+        match self {
+            Self::Mirror(law) => law.parameters(),
+            Self::Han2005(law) => law.parameters(),
+        }
+    }
+}

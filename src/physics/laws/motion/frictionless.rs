@@ -1,0 +1,19 @@
+//! A table without cloth: Newton's first law.
+
+use crate::physics::ball::{Motion, State};
+use crate::physics::laws::motion::Piece;
+
+pub(super) fn piece(state: &State) -> Piece {
+    Piece::uniform(*state)
+}
+
+pub(super) fn classify(mut state: State) -> State {
+    state.motion = if state.velocity != glam::DVec3::ZERO {
+        Motion::Gliding
+    } else if state.angular_velocity != glam::DVec3::ZERO {
+        Motion::Spinning
+    } else {
+        Motion::Rest
+    };
+    state
+}

@@ -1,0 +1,91 @@
+//! Free motion between two impacts, in closed form.
+//!
+//! Every law cuts the path of a ball into [`Piece`]s with constant acceleration. Both solvers, the aim
+//! preview and the replay walk the same pieces.
+
+mod coulomb;
+mod frictionless;
+mod piece;
+
+pub use coulomb::Cloth;
+pub use piece::Piece;
+
+use serde::{Deserialize, Serialize};
+
+use crate::physics::ball::{Ball, Motion, State};
+use crate::physics::laws::coursework::Coursework;
+use crate::physics::laws::{Check, Parameter};
+
+/// How a ball moves when nothing but the table acts on it.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub enum MotionLaw {
+    /// No cloth: straight lines at constant speed for ever.
+    Frictionless,
+    /// Coulomb friction between ball and cloth: slide, roll, spin, rest.
+    Coulomb(Cloth),
+    /// The linear drag of the coursework report; stepped solver only.
+    Coursework(Coursework),
+}
+
+impl MotionLaw {
+    /// One of each registered law, with its default parameters.
+    #[must_use]
+    pub fn all() -> Vec<Self> {
+        vec![
+            Self::Frictionless,
+            Self::Coulomb(Cloth::default()),
+            Self::Coursework(Coursework::default()),
+        ]
+    }
+
+    /// Whether the law has a closed form, so that the exact solver can use it.
+    #[must_use]
+    pub fn is_closed_form(&self) -> bool {
+        !matches!(self, Self::Coursework(_))
+    }
+
+    /// The closed-form piece that starts with this state. For the coursework model, which has no closed
+    /// form, the piece is the straight line of one tick; its friction comes after the tick.
+    #[must_use]
+    pub fn piece(&self, ball: &Ball, state: &State) -> Piece {
+        match self {
+            Self::Coulomb(cloth) => coulomb::piece(cloth, ball, state),
+            Self::Frictionless | Self::Coursework(_) => frictionless::piece(state),
+        }
+    }
+
+    /// The state with the motion label that its velocities deserve. Call it after every impulse.
+    #[must_use]
+    pub fn classify(&self, ball: &Ball, state: State) -> State {
+        if state.motion == Motion::Pocketed {
+            return state;
+        }
+        match self {
+            Self::Coulomb(_) => coulomb::classify(ball, state),
+            Self::Frictionless | Self::Coursework(_) => frictionless::classify(state),
+        }
+    }
+
+    /// The state `time` seconds later if nothing is met on the way.
+    #[must_use]
+    pub fn advance(&self, ball: &Ball, state: &State, time: f64) -> State {
+        let mut piece = self.piece(ball, state);
+        let mut left = time;
+        // A path has at most four pieces: slide, roll, spin, rest.
+        while piece.duration < left {
+            left -= piece.duration;
+            piece = self.piece(ball, &piece.end(ball));
+        }
+        piece.at(left)
+    }
+}
+
+impl Check for MotionLaw {
+    fn parameters(&self) -> Vec<Parameter> {
+        match self {
+            Self::Frictionless => Vec::new(),
+            Self::Coulomb(cloth) => cloth.parameters(),
+            Self::Coursework(coursework) => coursework.parameters(),
+        }
+    }
+}

@@ -1,0 +1,140 @@
+//! A rectangular table with six pockets, from the numbers a table maker uses.
+
+use glam::DVec2;
+
+use crate::physics::table::{Arc, Cushion, Line, Pocket, Table};
+
+/// One kind of pocket mouth.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mouth {
+    /// Width between the points where facings and noses would meet, m.
+    pub width: f64,
+    /// Angle between nose line and facing in rad: 142° at a corner, 104° at a side (WPA).
+    pub cut_angle: f64,
+    /// Radius in plan of the rounding between nose and facing, m.
+    pub jaw_radius: f64,
+    /// Radius of the hole in the slate, m.
+    pub hole_radius: f64,
+    /// Distance from the line across the mouth to the edge of the hole, m.
+    pub shelf: f64,
+}
+
+impl Mouth {
+    /// Length of nose and of facing that the rounding takes away, m.
+    fn trim(&self) -> f64 {
+        self.jaw_radius * libm::tan(0.5 * (std::f64::consts::PI - self.cut_angle))
+    }
+}
+
+/// The measures of a table with six pockets.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PocketedTable {
+    /// Length of the playing surface, m.
+    pub length: f64,
+    /// Width of the playing surface, m.
+    pub width: f64,
+    /// Height of the nose above the slate, m.
+    pub nose_height: f64,
+    /// Depth of the cushions from nose to rail, m: how far the facings reach back.
+    pub cushion_depth: f64,
+    /// The corner pockets.
+    pub corner: Mouth,
+    /// The side pockets.
+    pub side: Mouth,
+}
+
+impl PocketedTable {
+    /// Noses, jaws, facings and holes in plan.
+    #[must_use]
+    pub fn build(&self) -> Table {
+        let (x, z) = (0.5 * self.length, 0.5 * self.width);
+        let corner = self.corner.width * std::f64::consts::FRAC_1_SQRT_2;
+        let side = 0.5 * self.side.width;
+        let mut cushions = Vec::with_capacity(30);
+        for across in [-1.0, 1.0] {
+            for along in [-1.0, 1.0] {
+                let outward = DVec2::new(0.0, across);
+                self.nose(
+                    &mut cushions,
+                    (DVec2::new(along * (x - corner), across * z), &self.corner),
+                    (DVec2::new(along * side, across * z), &self.side),
+                    outward,
+                );
+            }
+        }
+        for along in [-1.0, 1.0] {
+            self.nose(
+                &mut cushions,
+                (DVec2::new(along * x, -(z - corner)), &self.corner),
+                (DVec2::new(along * x, z - corner), &self.corner),
+                DVec2::new(along, 0.0),
+            );
+        }
+        Table {
+            length: self.length,
+            width: self.width,
+            nose_height: self.nose_height,
+            cushions,
+            pockets: self.pockets(x, z),
+        }
+    }
+
+    /// One nose line between two mouths, with jaw and facing at both ends.
+    fn nose(
+        &self,
+        cushions: &mut Vec<Cushion>,
+        (from, from_mouth): (DVec2, &Mouth),
+        (to, to_mouth): (DVec2, &Mouth),
+        outward: DVec2,
+    ) {
+        let along = (to - from).normalize();
+        let from_trim = from_mouth.trim();
+        let to_trim = to_mouth.trim();
+        cushions.push(Cushion::Line(Line {
+            from: from + from_trim * along,
+            to: to - to_trim * along,
+        }));
+        for (point, mouth, trim, end) in [
+            (from, from_mouth, from_trim, -along),
+            (to, to_mouth, to_trim, along),
+        ] {
+            // The facing turns away from the nose line by the supplement of the cut angle.
+            let turn = std::f64::consts::PI - mouth.cut_angle;
+            let facing = libm::cos(turn) * end + libm::sin(turn) * outward;
+            cushions.push(Cushion::Arc(Arc {
+                center: point - trim * end + mouth.jaw_radius * outward,
+                radius: mouth.jaw_radius,
+            }));
+            cushions.push(Cushion::Line(Line {
+                from: point + trim * facing,
+                to: point + self.cushion_depth / libm::sin(turn) * facing,
+            }));
+        }
+    }
+
+    fn pockets(&self, x: f64, z: f64) -> Vec<Pocket> {
+        let corner_depth = self.corner.hole_radius + self.corner.shelf - 0.5 * self.corner.width;
+        let corner = corner_depth * std::f64::consts::FRAC_1_SQRT_2;
+        let side = self.side.hole_radius + self.side.shelf;
+        let mut pockets = Vec::with_capacity(6);
+        for (along, end) in [(-1.0, "head"), (0.0, "side"), (1.0, "foot")] {
+            for (across, hand) in [(-1.0, "left"), (1.0, "right")] {
+                let (center, mouth) = if along == 0.0 {
+                    (DVec2::new(0.0, across * (z + side)), &self.side)
+                } else {
+                    (
+                        DVec2::new(along * (x + corner), across * (z + corner)),
+                        &self.corner,
+                    )
+                };
+                pockets.push(Pocket {
+                    name: format!("{end} {hand}"),
+                    center,
+                    radius: mouth.hole_radius,
+                    depth: 0.08,
+                });
+            }
+        }
+        pockets
+    }
+}

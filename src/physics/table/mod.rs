@@ -1,0 +1,147 @@
+//! The table: cushions as lines and arcs, pockets as circles, all in plan.
+
+mod build;
+mod presets;
+
+pub use build::{Mouth, PocketedTable};
+pub use presets::Preset;
+
+use glam::DVec2;
+use serde::{Deserialize, Serialize};
+
+/// A straight nose line in plan, x and z in m. A wall from both sides, without end caps.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Line {
+    /// One end.
+    pub from: DVec2,
+    /// The other end.
+    pub to: DVec2,
+}
+
+/// A round nose in plan: a jaw, a peg, or with radius 0 the end of a line.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Arc {
+    /// Centre, x and z in m.
+    pub center: DVec2,
+    /// Radius in m.
+    pub radius: f64,
+}
+
+/// One stretch of cushion.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Cushion {
+    /// Straight.
+    Line(Line),
+    /// Round.
+    Arc(Arc),
+}
+
+impl Cushion {
+    /// Smallest box in plan that holds the nose, as (least, greatest) corner.
+    #[must_use]
+    pub fn bounds(&self) -> (DVec2, DVec2) {
+        match self {
+            Self::Line(line) => (line.from.min(line.to), line.from.max(line.to)),
+            Self::Arc(arc) => (
+                arc.center - DVec2::splat(arc.radius),
+                arc.center + DVec2::splat(arc.radius),
+            ),
+        }
+    }
+
+    /// Distance in plan from a point to the nose, and the unit vector from the nose to the point.
+    #[must_use]
+    pub fn nearest(&self, point: DVec2) -> (f64, DVec2) {
+        let (foot, radius) = match self {
+            Self::Line(line) => {
+                let along = line.to - line.from;
+                let share = (point - line.from).dot(along) / along.length_squared();
+                (line.from + share.clamp(0.0, 1.0) * along, 0.0)
+            }
+            Self::Arc(arc) => (arc.center, arc.radius),
+        };
+        let offset = point - foot;
+        (offset.length() - radius, offset.normalize_or_zero())
+    }
+}
+
+/// A hole in plan. A ball falls when its centre passes the edge.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Pocket {
+    /// What players call it.
+    pub name: String,
+    /// Centre, x and z in m.
+    pub center: DVec2,
+    /// Radius in m.
+    pub radius: f64,
+    /// How deep a captured ball lies below the slate, m.
+    #[serde(default = "Pocket::default_depth")]
+    pub depth: f64,
+}
+
+impl Pocket {
+    fn default_depth() -> f64 {
+        0.08
+    }
+}
+
+/// A table in full.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Table {
+    /// Length of the playing surface along x in m, nose to nose.
+    pub length: f64,
+    /// Width of the playing surface along z in m, nose to nose.
+    pub width: f64,
+    /// Height of the cushion nose above the slate in m.
+    pub nose_height: f64,
+    /// All cushions.
+    pub cushions: Vec<Cushion>,
+    /// All pockets.
+    #[serde(default)]
+    pub pockets: Vec<Pocket>,
+}
+
+impl Table {
+    /// A closed box without pockets.
+    #[must_use]
+    pub fn closed_box(length: f64, width: f64, nose_height: f64) -> Self {
+        let (x, z) = (0.5 * length, 0.5 * width);
+        let corners = [
+            DVec2::new(-x, -z),
+            DVec2::new(x, -z),
+            DVec2::new(x, z),
+            DVec2::new(-x, z),
+        ];
+        let cushions = (0..4)
+            .map(|i| {
+                Cushion::Line(Line {
+                    from: corners[i],
+                    to: corners[(i + 1) % 4],
+                })
+            })
+            .collect();
+        Self {
+            length,
+            width,
+            nose_height,
+            cushions,
+            pockets: Vec::new(),
+        }
+    }
+
+    /// The point on the centre line a quarter of the length from the foot: where the rack begins.
+    #[must_use]
+    pub fn foot_spot(&self) -> DVec2 {
+        DVec2::new(0.25 * self.length, 0.0)
+    }
+
+    /// The point on the centre line a quarter of the length from the head.
+    #[must_use]
+    pub fn head_spot(&self) -> DVec2 {
+        DVec2::new(-0.25 * self.length, 0.0)
+    }
+}

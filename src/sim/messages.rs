@@ -1,0 +1,53 @@
+//! What the simulation hears and says.
+
+use bevy::prelude::*;
+
+use crate::physics::cue::Shot;
+use crate::physics::record::Event;
+use crate::physics::scene::Scene;
+
+/// Lay out this scene in place of the present one.
+#[derive(Message, Clone, Debug)]
+pub struct LoadScene(pub Scene);
+
+/// Strike this ball. Ignored while balls move.
+#[derive(Message, Clone, Copy, Debug, PartialEq)]
+pub struct Strike {
+    /// Index of the ball in the scene.
+    pub ball: usize,
+    /// The stroke.
+    pub shot: Shot,
+}
+
+/// The cue has struck a ball.
+#[derive(Message, Clone, Copy, Debug, PartialEq)]
+pub struct Struck(pub Event);
+
+/// Two balls, or a ball and a cushion, have touched. The event carries the impulse and the states.
+#[derive(Message, Clone, Copy, Debug, PartialEq)]
+pub struct Touched(pub Event);
+
+/// A pocket has taken a ball.
+#[derive(Message, Clone, Copy, Debug, PartialEq)]
+pub struct Pocketed(pub Event);
+
+/// A ball has changed its kind of motion on its own.
+#[derive(Message, Clone, Copy, Debug, PartialEq)]
+pub struct MotionChanged(pub Event);
+
+/// The last moving ball has come to rest.
+#[derive(Message, Clone, Copy, Debug, PartialEq)]
+pub struct AtRest {
+    /// Seconds since the scene began.
+    pub time: f64,
+}
+
+pub(super) fn plugin(app: &mut App) {
+    app.add_message::<LoadScene>()
+        .add_message::<Strike>()
+        .add_message::<Struck>()
+        .add_message::<Touched>()
+        .add_message::<Pocketed>()
+        .add_message::<MotionChanged>()
+        .add_message::<AtRest>();
+}
