@@ -1,3 +1,13 @@
 //! Massé: a billiards game and simulator.
+//!
+//! Rooms, one above the other; an import only ever points down:
+//!
+//! | room | what it holds |
+//! |---|---|
+//! | [`physics`] | pure laws, tables, scenes, records: f64, SI, no App |
+//! | [`sim`] | the table as a Bevy world, headless: components, messages, the clock, the solvers as ordered systems |
+//! | [`game`] | what the player aims, practice; no pixels |
 
+pub mod game;
 pub mod physics;
+pub mod sim;

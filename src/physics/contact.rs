@@ -42,13 +42,23 @@ impl Track {
 ///
 /// # Errors
 /// [`RootError`] if a number is not finite.
-pub fn pair(first: &Track, second: &Track, reach: f64, horizon: f64) -> Result<Option<f64>, RootError> {
+pub fn pair(
+    first: &Track,
+    second: &Track,
+    reach: f64,
+    horizon: f64,
+) -> Result<Option<f64>, RootError> {
     let offset = second.position - first.position;
     let velocity = second.velocity - first.velocity;
     let half = 0.5 * (second.acceleration - first.acceleration);
     circle(
-        [offset.length_squared() - reach * reach, 2.0 * offset.dot(velocity),
-            velocity.length_squared() + 2.0 * offset.dot(half), 2.0 * velocity.dot(half), half.length_squared()],
+        [
+            offset.length_squared() - reach * reach,
+            2.0 * offset.dot(velocity),
+            velocity.length_squared() + 2.0 * offset.dot(half),
+            2.0 * velocity.dot(half),
+            half.length_squared(),
+        ],
         horizon,
     )
 }
@@ -57,7 +67,12 @@ pub fn pair(first: &Track, second: &Track, reach: f64, horizon: f64) -> Result<O
 ///
 /// # Errors
 /// [`RootError`] if a number is not finite.
-pub fn line(track: &Track, line: &Line, radius: f64, horizon: f64) -> Result<Option<f64>, RootError> {
+pub fn line(
+    track: &Track,
+    line: &Line,
+    radius: f64,
+    horizon: f64,
+) -> Result<Option<f64>, RootError> {
     let along = line.to - line.from;
     let length = along.length();
     let along = along / length;
@@ -74,7 +89,11 @@ pub fn line(track: &Track, line: &Line, radius: f64, horizon: f64) -> Result<Opt
     // A path can leave the line and meet it again beyond its end, so each crossing is tried in turn.
     for _ in 0..2 {
         let Some(time) = roots::quadratic::first_closing(
-            [p.dot(normal) - radius, v.dot(normal), half.dot(normal)], from, horizon)? else {
+            [p.dot(normal) - radius, v.dot(normal), half.dot(normal)],
+            from,
+            horizon,
+        )?
+        else {
             return Ok(None);
         };
         let foot = p.dot(along) + time * (v.dot(along) + time * half.dot(along));
@@ -107,8 +126,13 @@ fn plan_circle(track: &Track, center: DVec2, reach: f64) -> [f64; 5] {
     let p = Track::plan(track.position) - center;
     let v = Track::plan(track.velocity);
     let half = 0.5 * Track::plan(track.acceleration);
-    [p.length_squared() - reach * reach, 2.0 * p.dot(v), v.length_squared() + 2.0 * p.dot(half),
-        2.0 * v.dot(half), half.length_squared()]
+    [
+        p.length_squared() - reach * reach,
+        2.0 * p.dot(v),
+        v.length_squared() + 2.0 * p.dot(half),
+        2.0 * v.dot(half),
+        half.length_squared(),
+    ]
 }
 
 fn circle(coefficients: [f64; 5], horizon: f64) -> Result<Option<f64>, RootError> {

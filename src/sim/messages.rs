@@ -42,6 +42,17 @@ pub struct AtRest {
     pub time: f64,
 }
 
+/// The solver could not follow a ball any further; the clock stands.
+#[derive(Message, Clone, Debug, PartialEq)]
+pub struct Failed {
+    /// Seconds since the shot began.
+    pub time: f64,
+    /// Index of the ball in the scene.
+    pub ball: usize,
+    /// What went wrong, with the numbers.
+    pub reason: String,
+}
+
 pub(super) fn plugin(app: &mut App) {
     app.add_message::<LoadScene>()
         .add_message::<Strike>()
@@ -49,5 +60,6 @@ pub(super) fn plugin(app: &mut App) {
         .add_message::<Touched>()
         .add_message::<Pocketed>()
         .add_message::<MotionChanged>()
-        .add_message::<AtRest>();
+        .add_message::<AtRest>()
+        .add_message::<Failed>();
 }

@@ -49,11 +49,8 @@ pub(super) fn plugin(app: &mut App) {
 }
 
 /// Lays out the newest scene asked for.
-fn load_scene(world: &mut World) {
-    let newest = world
-        .resource_mut::<Messages<LoadScene>>()
-        .drain()
-        .last();
+pub(super) fn load_scene(world: &mut World) {
+    let newest = world.resource_mut::<Messages<LoadScene>>().drain().last();
     if let Some(LoadScene(scene)) = newest {
         lay_out(world, &scene);
     }
@@ -113,17 +110,19 @@ pub type BallQuery<'w, 's> = Query<
 pub fn snapshot(playfield: &Playfield, balls: &BallQuery) -> Scene {
     let mut indexed: Vec<(usize, SceneBall)> = balls
         .iter()
-        .map(|(index, name, position, velocity, spin, mass, radius, motion)| {
-            let (ball, state) = ball_and_state(position, velocity, spin, mass, radius, motion);
-            (
-                index.0,
-                SceneBall {
-                    name: name.0.clone(),
-                    ball,
-                    state,
-                },
-            )
-        })
+        .map(
+            |(index, name, position, velocity, spin, mass, radius, motion)| {
+                let (ball, state) = ball_and_state(position, velocity, spin, mass, radius, motion);
+                (
+                    index.0,
+                    SceneBall {
+                        name: name.0.clone(),
+                        ball,
+                        state,
+                    },
+                )
+            },
+        )
         .collect();
     indexed.sort_by_key(|(index, _)| *index);
     Scene {

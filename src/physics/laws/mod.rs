@@ -81,9 +81,7 @@ impl Check for Laws {
         ];
         classes
             .into_iter()
-            .flat_map(|(class, parameters)| {
-                parameters.into_iter().map(move |p| p.within(class))
-            })
+            .flat_map(|(class, parameters)| parameters.into_iter().map(move |p| p.within(class)))
             .collect()
     }
 }

@@ -19,7 +19,11 @@ pub fn first_closing(c: [f64; 3], from: f64, horizon: f64) -> Result<Option<f64>
     }
     let discriminant = c[1] * c[1] - 4.0 * c[0] * c[2];
     let root = if c[2] == 0.0 {
-        if c[1] < 0.0 { -c[0] / c[1] } else { return Ok(None) }
+        if c[1] < 0.0 {
+            -c[0] / c[1]
+        } else {
+            return Ok(None);
+        }
     } else if discriminant < 0.0 {
         return Ok(None);
     } else {

@@ -23,7 +23,13 @@ pub fn first_closing(c: [f64; 5], from: f64, horizon: f64) -> Result<Option<f64>
     }
     let curve = [slope[1], 2.0 * slope[2], 3.0 * slope[3]];
     let mut turns = [0.0; 4];
-    let turns = crossings(&curve, &[2.0 * c[3] * 3.0, 24.0 * c[4]], from, horizon, &mut turns);
+    let turns = crossings(
+        &curve,
+        &[2.0 * c[3] * 3.0, 24.0 * c[4]],
+        from,
+        horizon,
+        &mut turns,
+    );
     let (turns, count) = turns;
     let mut knots = [0.0; 4];
     let mut bends = 0;
@@ -45,9 +51,19 @@ pub fn first_closing(c: [f64; 5], from: f64, horizon: f64) -> Result<Option<f64>
     Ok(None)
 }
 
-fn crossings(p: &[f64; 3], _d: &[f64; 2], from: f64, to: f64, out: &mut [f64; 4]) -> ([f64; 4], usize) {
+fn crossings(
+    p: &[f64; 3],
+    _d: &[f64; 2],
+    from: f64,
+    to: f64,
+    out: &mut [f64; 4],
+) -> ([f64; 4], usize) {
     let mut count = 0;
-    let turn = if p[2] == 0.0 { f64::NAN } else { -p[1] / (2.0 * p[2]) };
+    let turn = if p[2] == 0.0 {
+        f64::NAN
+    } else {
+        -p[1] / (2.0 * p[2])
+    };
     let mut a = from;
     for b in [turn, to] {
         if b > a && b <= to {

@@ -74,7 +74,9 @@ pub enum SceneError {
         z: f64,
     },
     /// A ball is not on the slate.
-    #[error("balls: `{ball}`: position.y is {height} m, a ball on the slate has y = radius = {radius} m")]
+    #[error(
+        "balls: `{ball}`: position.y is {height} m, a ball on the slate has y = radius = {radius} m"
+    )]
     OffSlate {
         /// The ball.
         ball: String,
@@ -104,7 +106,9 @@ pub enum SceneError {
         count: usize,
     },
     /// The exact solver needs closed forms.
-    #[error("solver: `Exact` cannot play motion law `Coursework`, which has no closed form; use `Stepped`")]
+    #[error(
+        "solver: `Exact` cannot play motion law `Coursework`, which has no closed form; use `Stepped`"
+    )]
     NotExact,
 }
 
@@ -156,7 +160,12 @@ impl Scene {
         for (i, pocket) in self.table.pockets.iter().enumerate() {
             finite(&format!("table.pockets[{i}].center.x"), pocket.center.x)?;
             finite(&format!("table.pockets[{i}].center.z"), pocket.center.y)?;
-            within(&format!("table.pockets[{i}].radius"), pocket.radius, 1e-6, 1e4)?;
+            within(
+                &format!("table.pockets[{i}].radius"),
+                pocket.radius,
+                1e-6,
+                1e4,
+            )?;
             within(&format!("table.pockets[{i}].depth"), pocket.depth, 0.0, 1e4)?;
         }
         if let Solver::Stepped(stepped) = &self.solver {

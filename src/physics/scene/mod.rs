@@ -3,7 +3,7 @@
 mod check;
 mod rack;
 
-pub use check::{SceneError, OVERLAP_TOLERANCE};
+pub use check::{OVERLAP_TOLERANCE, SceneError};
 pub use rack::Rack;
 
 use glam::DVec3;
@@ -11,8 +11,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::physics::ball::{Ball, State};
 use crate::physics::cue::{Cue, Shot};
-use crate::physics::laws::cue_ball::{Struck, strike};
 use crate::physics::laws::Laws;
+use crate::physics::laws::cue_ball::{Struck, strike};
 use crate::physics::table::Table;
 
 /// A ball of a scene.
@@ -130,7 +130,13 @@ impl Scene {
     #[must_use]
     pub fn struck(&self, planned: &PlannedShot) -> Struck {
         let ball = &self.balls[planned.ball];
-        strike_with(&self.cue, &self.laws, &ball.ball, &ball.state, &planned.shot)
+        strike_with(
+            &self.cue,
+            &self.laws,
+            &ball.ball,
+            &ball.state,
+            &planned.shot,
+        )
     }
 }
 

@@ -27,8 +27,7 @@ impl Mirror {
     pub(super) fn rebound(&self, state: &State, contact: &CushionContact) -> State {
         let restitution = contact.restitution.unwrap_or(self.restitution);
         let mut after = *state;
-        after.velocity -=
-            (1.0 + restitution) * state.velocity.dot(contact.normal) * contact.normal;
+        after.velocity -= (1.0 + restitution) * state.velocity.dot(contact.normal) * contact.normal;
         after
     }
 }

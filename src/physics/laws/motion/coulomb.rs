@@ -124,8 +124,7 @@ pub(super) fn piece(cloth: &Cloth, ball: &Ball, state: &State) -> Piece {
             let direction = slip / speed;
             let friction = cloth.sliding * cloth.gravity;
             piece.acceleration = -friction * direction;
-            piece.angular_acceleration =
-                (2.5 * friction / ball.radius) * DVec3::Y.cross(direction);
+            piece.angular_acceleration = (2.5 * friction / ball.radius) * DVec3::Y.cross(direction);
             piece.duration = 2.0 * speed / (7.0 * friction);
             piece.next = Motion::Rolling;
             // A ball whose friction stops it just when slipping ends does not go on to roll.
@@ -160,5 +159,9 @@ pub(super) fn piece(cloth: &Cloth, ball: &Ball, state: &State) -> Piece {
 }
 
 fn still(spins: bool) -> Motion {
-    if spins { Motion::Spinning } else { Motion::Rest }
+    if spins {
+        Motion::Spinning
+    } else {
+        Motion::Rest
+    }
 }

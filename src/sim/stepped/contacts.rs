@@ -1,0 +1,164 @@
+//! The contacts found for this tick, earliest first.
+
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
+
+use bevy::prelude::*;
+
+use crate::physics::contact;
+use crate::physics::roots::RootError;
+use crate::physics::table::{Cushion, Table};
+use crate::sim::stepped::bodies::{Bodies, Body};
+use crate::sim::stepped::collide_cushions::beyond;
+
+/// What will happen to a ball.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Kind {
+    /// Its kind of motion changes.
+    Change,
+    /// It falls into a pocket.
+    Pocket(usize),
+    /// It meets a cushion.
+    Cushion(usize),
+    /// It meets another ball, at the version of its path given.
+    Ball(usize, u32),
+}
+
+/// One thing that will happen if no path changes before.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Contact {
+    /// Time of the tick, s.
+    pub time: f64,
+    pub kind: Kind,
+    pub ball: usize,
+    /// The version of the ball's path.
+    pub version: u32,
+}
+
+impl Eq for Contact {}
+
+impl Ord for Contact {
+    /// The earliest is the greatest, as the heap wants it. Ties are broken by kind and ball, never by the order in which
+    /// contacts were found: that depends on the grid.
+    fn cmp(&self, other: &Self) -> Ordering {
+        other
+            .time
+            .total_cmp(&self.time)
+            .then_with(|| other.kind.cmp(&self.kind))
+            .then_with(|| other.ball.cmp(&self.ball))
+            .then_with(|| other.version.cmp(&self.version))
+    }
+}
+
+impl PartialOrd for Contact {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+/// The queue of the tick.
+#[derive(Resource, Debug, Default)]
+pub struct Contacts {
+    queue: BinaryHeap<Contact>,
+    /// The first thing that could not be computed, with the balls it happened to.
+    pub(super) failure: Option<(usize, RootError)>,
+}
+
+impl Contacts {
+    /// The earliest contact whose balls are still on the paths it was found for.
+    pub(super) fn next(&mut self, bodies: &Bodies) -> Option<Contact> {
+        while let Some(contact) = self.queue.pop() {
+            let fresh = bodies.all[contact.ball].version == contact.version
+                && match contact.kind {
+                    Kind::Ball(other, version) => bodies.all[other].version == version,
+                    _ => true,
+                };
+            if fresh {
+                return Some(contact);
+            }
+        }
+        None
+    }
+
+    fn push(&mut self, body: &Body, ball: usize, kind: Kind, time: f64) {
+        self.queue.push(Contact {
+            time,
+            kind,
+            ball,
+            version: body.version,
+        });
+    }
+
+    fn found(&mut self, ball: usize, result: Result<Option<f64>, RootError>) -> Option<f64> {
+        result.unwrap_or_else(|error| {
+            self.failure.get_or_insert((ball, error));
+            None
+        })
+    }
+
+    /// Finds when two balls meet.
+    pub(super) fn find_pair(&mut self, bodies: &Bodies, first: usize, second: usize, time: f64) {
+        let (first, second) = (first.min(second), first.max(second));
+        let (a, b) = (&bodies.all[first], &bodies.all[second]);
+        if !(a.translates() || b.translates()) || !(a.is_in_play() && b.is_in_play()) {
+            return;
+        }
+        let left = bodies.horizon(time).min(a.change()).min(b.change()) - time;
+        let met = contact::pair(
+            &a.track(time),
+            &b.track(time),
+            a.ball.radius + b.ball.radius,
+            left.max(0.0),
+        );
+        if let Some(met) = self.found(first, met) {
+            self.push(a, first, Kind::Ball(second, b.version), time + met);
+        }
+    }
+
+    /// Finds when a ball meets a cushion.
+    pub(super) fn find_cushion(
+        &mut self,
+        bodies: &Bodies,
+        table: &Table,
+        ball: usize,
+        cushion: usize,
+        time: f64,
+    ) {
+        let body = &bodies.all[ball];
+        let (track, radius) = (body.track(time), body.ball.radius);
+        let left = (bodies.horizon(time).min(body.change()) - time).max(0.0);
+        let met = match &table.cushions[cushion] {
+            Cushion::Line(line) if !bodies.locate => Ok(beyond(table, line, &track, radius)),
+            Cushion::Line(line) => contact::line(&track, line, radius, left),
+            Cushion::Arc(arc) => contact::arc(&track, arc, radius, left),
+        };
+        if let Some(met) = self.found(ball, met) {
+            self.push(body, ball, Kind::Cushion(cushion), time + met);
+        }
+    }
+
+    /// Finds when a pocket takes a ball.
+    pub(super) fn find_pocket(
+        &mut self,
+        bodies: &Bodies,
+        table: &Table,
+        ball: usize,
+        pocket: usize,
+        time: f64,
+    ) {
+        let body = &bodies.all[ball];
+        let left = (bodies.horizon(time).min(body.change()) - time).max(0.0);
+        let met = contact::pocket(&body.track(time), &table.pockets[pocket], left);
+        if let Some(met) = self.found(ball, met) {
+            self.push(body, ball, Kind::Pocket(pocket), time + met);
+        }
+    }
+
+    /// Notes when the kind of motion of a ball changes, if it does in this tick.
+    pub(super) fn find_change(&mut self, bodies: &Bodies, ball: usize) {
+        let body = &bodies.all[ball];
+        if body.change() <= bodies.tick {
+            self.push(body, ball, Kind::Change, body.change());
+        }
+    }
+}

@@ -1,0 +1,184 @@
+//! Resolves the contacts of a tick in order of time, and those that follow from them.
+
+use bevy::prelude::*;
+
+use crate::physics::ball::State;
+use crate::physics::laws::ball_ball::PairContact;
+use crate::physics::laws::cushion::CushionContact;
+use crate::physics::record::{Event, EventKind, Participant};
+use crate::sim::messages::{Failed, MotionChanged, Pocketed, Touched};
+use crate::sim::playfield::Playfield;
+use crate::sim::stepped::bodies::Bodies;
+use crate::sim::stepped::collide_cushions;
+use crate::sim::stepped::contacts::{Contact, Contacts, Kind};
+use crate::sim::stepped::grid::Grid;
+
+/// Impacts of one ball in one tick after which its contacts no longer bounce (e = 0): a row of balls that rattles
+/// between neighbours comes to rest against them instead of colliding for ever.
+const BOUNCES: u32 = 64;
+/// Impacts of one ball in one tick after which it meets nothing more until the next tick.
+const IMPACTS: u32 = 512;
+
+/// Runs through the queue.
+#[expect(
+    clippy::too_many_arguments,
+    reason = "one writer for each kind of message"
+)]
+pub(super) fn resolve(
+    mut grid: ResMut<Grid>,
+    mut bodies: ResMut<Bodies>,
+    mut contacts: ResMut<Contacts>,
+    playfield: Res<Playfield>,
+    mut touched: MessageWriter<Touched>,
+    mut pocketed: MessageWriter<Pocketed>,
+    mut changed: MessageWriter<MotionChanged>,
+    mut failed: MessageWriter<Failed>,
+) {
+    while let Some(contact) = contacts.next(&bodies) {
+        let event = happen(&mut bodies, &playfield, &contact);
+        for ball in [Some(contact.ball), other(&contact)].into_iter().flatten() {
+            grid.list(&mut bodies, ball, contact.time);
+        }
+        for ball in [Some(contact.ball), other(&contact)].into_iter().flatten() {
+            look_ahead(
+                &grid,
+                &bodies,
+                &mut contacts,
+                &playfield,
+                ball,
+                contact.time,
+            );
+        }
+        match event.kind {
+            EventKind::Pocketed { .. } => {
+                pocketed.write(Pocketed(event));
+            }
+            EventKind::Motion { .. } => {
+                changed.write(MotionChanged(event));
+            }
+            _ => {
+                touched.write(Touched(event));
+            }
+        }
+    }
+    if let Some((ball, reason)) = contacts.failure.take() {
+        failed.write(Failed {
+            time: bodies.start,
+            ball: bodies.all[ball].index,
+            reason: reason.to_string(),
+        });
+    }
+}
+
+fn other(contact: &Contact) -> Option<usize> {
+    match contact.kind {
+        Kind::Ball(other, _) => Some(other),
+        _ => None,
+    }
+}
+
+/// Finds what the new path of a ball leads to.
+fn look_ahead(
+    grid: &Grid,
+    bodies: &Bodies,
+    contacts: &mut Contacts,
+    playfield: &Playfield,
+    ball: usize,
+    time: f64,
+) {
+    contacts.find_change(bodies, ball);
+    let body = &bodies.all[ball];
+    if !body.is_in_play() || body.impacts > IMPACTS {
+        return;
+    }
+    grid.neighbours(bodies, ball, |other| {
+        if bodies.all[other].impacts <= IMPACTS {
+            contacts.find_pair(bodies, ball, other, time);
+        }
+    });
+    collide_cushions::find(grid, bodies, contacts, &playfield.table, ball, time);
+}
+
+/// Applies the law of a contact and puts the balls on their new paths.
+fn happen(bodies: &mut Bodies, playfield: &Playfield, contact: &Contact) -> Event {
+    let Contact {
+        time, kind, ball, ..
+    } = *contact;
+    let laws = &playfield.laws;
+    let table = &playfield.table;
+    let before = bodies.all[ball].at(time);
+    let body = bodies.all[ball].ball;
+    let settled = |impacts: u32| (impacts >= BOUNCES).then_some(0.0);
+    let mut event = Event {
+        time: bodies.start + time,
+        kind: EventKind::BallBall,
+        first: Participant {
+            ball: bodies.all[ball].index,
+            before,
+            after: before,
+        },
+        second: None,
+        impulse: 0.0,
+    };
+    match kind {
+        Kind::Change => {
+            let after = bodies.all[ball].piece.end(&body);
+            event.kind = EventKind::Motion {
+                from: before.motion,
+                to: after.motion,
+            };
+            event.first.after = after;
+        }
+        Kind::Pocket(pocket) => {
+            event.kind = EventKind::Pocketed { pocket };
+            event.first.after = laws.pocket.captured(&table.pockets[pocket]);
+        }
+        Kind::Cushion(cushion) => {
+            let plan = glam::DVec2::new(before.position.x, before.position.z);
+            let (_, mut away) = table.cushions[cushion].nearest(plan);
+            // A ball found beyond the nose is pushed back towards the table.
+            if away.dot(glam::DVec2::new(before.velocity.x, before.velocity.z)) > 0.0 {
+                away = -away;
+            }
+            let rebound = laws.cushion.rebound(
+                &body,
+                &before,
+                &CushionContact {
+                    normal: glam::DVec3::new(away.x, 0.0, away.y),
+                    nose_height: table.nose_height,
+                    restitution: settled(bodies.all[ball].impacts),
+                },
+            );
+            event.kind = EventKind::Cushion { cushion };
+            event.impulse = rebound.impulse;
+            event.first.after = laws.motion.classify(&body, rebound.state);
+            bodies.all[ball].impacts += 1;
+        }
+        Kind::Ball(other, _) => {
+            let second = bodies.all[other].at(time);
+            let second_body = bodies.all[other].ball;
+            let mut meeting = PairContact::between(&before, &second);
+            meeting.restitution = settled(bodies.all[ball].impacts.max(bodies.all[other].impacts));
+            let outcome =
+                laws.ball_ball
+                    .collide((&body, &before), (&second_body, &second), &meeting);
+            event.impulse = outcome.impulse;
+            event.first.after = laws.motion.classify(&body, outcome.first);
+            let after = laws.motion.classify(&second_body, outcome.second);
+            event.second = Some(Participant {
+                ball: bodies.all[other].index,
+                before: second,
+                after,
+            });
+            bodies.all[ball].impacts += 1;
+            bodies.all[other].impacts += 1;
+            follow(bodies, playfield, other, &after, time);
+        }
+    }
+    follow(bodies, playfield, ball, &event.first.after, time);
+    event
+}
+
+fn follow(bodies: &mut Bodies, playfield: &Playfield, ball: usize, state: &State, time: f64) {
+    bodies.all[ball].follow(&playfield.laws.motion, state, time);
+}
