@@ -17,6 +17,8 @@ mod friction;
 mod grid;
 mod movement;
 mod resolve;
+#[cfg(test)]
+mod tests;
 
 pub use grid::Grid;
 
