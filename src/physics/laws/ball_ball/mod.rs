@@ -32,11 +32,18 @@ impl PairContact {
         let on_slate = first.motion != crate::physics::ball::Motion::Airborne
             && second.motion != crate::physics::ball::Motion::Airborne;
         let mut offset = second.position - first.position;
+        let mut approach = first.velocity - second.velocity;
         if on_slate {
             offset.y = 0.0;
+            approach.y = 0.0;
         }
+        // Where a tick is not searched for contacts two centres can coincide: then the balls meet head-on.
+        let normal = offset
+            .try_normalize()
+            .or_else(|| approach.try_normalize())
+            .unwrap_or(DVec3::X);
         Self {
-            normal: offset.normalize(),
+            normal,
             on_slate,
             restitution: None,
         }

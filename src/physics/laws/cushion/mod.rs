@@ -61,7 +61,7 @@ impl CushionLaw {
                 impulse: 0.0,
             };
         }
-        let after = match self {
+        let mut after = match self {
             Self::Mirror(law) => law.rebound(state, contact),
             Self::Han2005(law) if ball.spins => law.rebound(ball, state, contact),
             Self::Han2005(law) => Mirror {
@@ -69,6 +69,10 @@ impl CushionLaw {
             }
             .rebound(state, contact),
         };
+        // An inclined impact that gives back little, or rubs the ball downwards, leaves it wedged between nose and slate
+        // and still on its way in; the slate, which no cushion law knows, then takes up the rest.
+        let inward = after.velocity.dot(contact.normal).min(0.0);
+        after.velocity -= inward * contact.normal;
         Rebound {
             state: after,
             impulse: ball.mass * (after.velocity - state.velocity).dot(contact.normal),

@@ -4,7 +4,7 @@
 //! |---|---|---|
 //! | sliding | −μₛ g û, û the direction of slip, constant; dω/dt = (5 μₛ g / 2R) ŷ × û | after 2\|u\| / (7 μₛ g), rolling |
 //! | rolling | −μᵣ g v̂ | after \|v\| / (μᵣ g) |
-//! | spinning | none; the spin about the vertical falls by α in every motion | after \|ω_y\| / α, at rest |
+//! | spinning | none; the spin about the vertical falls by α in every motion | after \|ω·ŷ\| / α, at rest |
 //!
 //! Source: Alciatore, TP A.4 and TP B.7 (post-impact motion); Leckie & Greenspan (2006), section 3. Exact for a
 //! rigid ball on a flat cloth with constant coefficients; cloth nap, ball drag in air and the dependence of
@@ -121,7 +121,7 @@ pub(super) fn piece(cloth: &Cloth, ball: &Ball, state: &State) -> Piece {
         Motion::Sliding => {
             let slip = ball.slip(state.velocity, spin);
             let speed = slip.length();
-            let direction = slip / speed;
+            let direction = direction_of(slip, speed);
             let friction = cloth.sliding * cloth.gravity;
             piece.acceleration = -friction * direction;
             piece.angular_acceleration = (2.5 * friction / ball.radius) * DVec3::Y.cross(direction);
@@ -134,7 +134,7 @@ pub(super) fn piece(cloth: &Cloth, ball: &Ball, state: &State) -> Piece {
         }
         Motion::Rolling => {
             let speed = state.velocity.length();
-            let direction = state.velocity / speed;
+            let direction = direction_of(state.velocity, speed);
             let friction = cloth.rolling * cloth.gravity;
             piece.acceleration = -friction * direction;
             if ball.spins {
@@ -156,6 +156,16 @@ pub(super) fn piece(cloth: &Cloth, ball: &Ball, state: &State) -> Piece {
         }
     }
     piece
+}
+
+/// The direction of a vector of this length, zero for none: a tick that ends exactly on a change of motion leaves a slip
+/// or a speed of 0 behind.
+fn direction_of(vector: DVec3, length: f64) -> DVec3 {
+    if length > 0.0 {
+        vector / length
+    } else {
+        DVec3::ZERO
+    }
 }
 
 fn still(spins: bool) -> Motion {

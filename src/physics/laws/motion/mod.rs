@@ -71,8 +71,8 @@ impl MotionLaw {
     pub fn advance(&self, ball: &Ball, state: &State, time: f64) -> State {
         let mut piece = self.piece(ball, state);
         let mut left = time;
-        // A path has at most four pieces: slide, roll, spin, rest.
-        while piece.duration < left {
+        // A path has at most four pieces: slide, roll, spin, rest. The moment of a change belongs to the next one.
+        while piece.duration <= left {
             left -= piece.duration;
             piece = self.piece(ball, &piece.end(ball));
         }
