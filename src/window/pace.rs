@@ -10,7 +10,9 @@ use crate::window::WindowSystems;
 pub(super) fn plugin(app: &mut App) {
     app.add_systems(
         RunFixedMainLoop,
-        keep_pace.before(WindowSystems::Input).before(RunFixedMainLoopSystems::FixedMainLoop),
+        keep_pace
+            .before(WindowSystems::Input)
+            .before(RunFixedMainLoopSystems::FixedMainLoop),
     );
 }
 
