@@ -1,116 +1,19 @@
 //! What makes a scene playable.
 
-use thiserror::Error;
+use std::collections::HashSet;
+
+use glam::{DVec2, DVec3};
 
 use crate::physics::ball::Motion;
 use crate::physics::laws::Check;
-use crate::physics::scene::{Scene, Solver};
+use crate::physics::scene::{Scene, SceneBall, SceneError, Solver};
+use crate::physics::table::Cushion;
 
 /// Overlap in m that still counts as touching: rounding of positions written in a file.
 pub const OVERLAP_TOLERANCE: f64 = 1e-9;
 
-/// Why a scene cannot be played. Every variant names the field and the value.
-#[derive(Clone, Debug, Error, PartialEq)]
-pub enum SceneError {
-    /// No balls.
-    #[error("balls: there are 0 balls, at least 1 is needed")]
-    NoBalls,
-    /// Two balls share a name.
-    #[error("balls[{ball}].name: `{name}` is used twice")]
-    DuplicateName {
-        /// Index of the second ball.
-        ball: usize,
-        /// The name.
-        name: String,
-    },
-    /// A number is not finite or out of its range.
-    #[error("{field}: {value} is not allowed, it must be between {least} and {most}")]
-    OutOfRange {
-        /// Path of the field.
-        field: String,
-        /// The value.
-        value: f64,
-        /// Smallest allowed value.
-        least: f64,
-        /// Largest allowed value.
-        most: f64,
-    },
-    /// A number is NaN or infinite.
-    #[error("{field}: {value} is not a finite number")]
-    NotFinite {
-        /// Path of the field.
-        field: String,
-        /// The value.
-        value: f64,
-    },
-    /// Two balls overlap.
-    #[error("balls: `{first}` and `{second}` overlap by {overlap} m")]
-    Overlap {
-        /// One ball.
-        first: String,
-        /// The other.
-        second: String,
-        /// Depth in m.
-        overlap: f64,
-    },
-    /// A ball is inside a cushion.
-    #[error("balls: `{ball}` is inside cushion {cushion} by {overlap} m")]
-    InsideCushion {
-        /// The ball.
-        ball: String,
-        /// Index of the cushion.
-        cushion: usize,
-        /// Depth in m.
-        overlap: f64,
-    },
-    /// A ball lies outside the table.
-    #[error("balls: `{ball}` at x = {x} m, z = {z} m is not on the table")]
-    OffTable {
-        /// The ball.
-        ball: String,
-        /// Position, m.
-        x: f64,
-        /// Position, m.
-        z: f64,
-    },
-    /// A ball is not on the slate.
-    #[error(
-        "balls: `{ball}`: position.y is {height} m, a ball on the slate has y = radius = {radius} m"
-    )]
-    OffSlate {
-        /// The ball.
-        ball: String,
-        /// Height of the centre, m.
-        height: f64,
-        /// Radius, m.
-        radius: f64,
-    },
-    /// The table is too small for a ball.
-    #[error("table: {length} m x {width} m is smaller than ball `{ball}` of radius {radius} m")]
-    TableTooSmall {
-        /// Length, m.
-        length: f64,
-        /// Width, m.
-        width: f64,
-        /// The ball.
-        ball: String,
-        /// Radius, m.
-        radius: f64,
-    },
-    /// The shot names a ball that is not there.
-    #[error("shot.ball: there is no ball number {ball}, the scene has {count}")]
-    NoSuchBall {
-        /// Index asked for.
-        ball: usize,
-        /// Number of balls.
-        count: usize,
-    },
-    /// The exact solver needs closed forms.
-    #[error(
-        "solver: `Exact` cannot play motion law `Coursework`, which has no closed form; use `Stepped`"
-    )]
-    NotExact,
-}
+/// Most cells of a grid: more would cost memory and find nothing sooner.
+const MOST_CELLS: f64 = 1e6;
 
 impl Scene {
     /// Finds the first thing that makes the scene unplayable.
@@ -121,16 +24,22 @@ impl Scene {
         if self.balls.is_empty() {
             return Err(SceneError::NoBalls);
         }
-        self.check_numbers()?;
+        self.check_surroundings()?;
         self.check_balls()?;
+        self.check_shot()?;
         self.check_places()?;
+        self.check_overlaps()?;
         if self.solver == Solver::Exact && !self.laws.motion.is_closed_form() {
             return Err(SceneError::NotExact);
         }
         Ok(())
     }
 
-    fn check_numbers(&self) -> Result<(), SceneError> {
+    /// Checks the numbers of everything but the balls and the shot: laws, cue, table, solver, time limit.
+    ///
+    /// # Errors
+    /// A [`SceneError`] that names the field and the value.
+    pub fn check_surroundings(&self) -> Result<(), SceneError> {
         check_parameters("laws", &self.laws)?;
         check_parameters("cue", &self.cue)?;
         within("table.length", self.table.length, 1e-3, 1e4)?;
@@ -138,58 +47,59 @@ impl Scene {
         within("table.nose_height", self.table.nose_height, 0.0, 10.0)?;
         within("time_limit", self.time_limit, 0.0, 1e6)?;
         for (i, cushion) in self.table.cushions.iter().enumerate() {
-            let (least, greatest) = cushion.bounds();
-            for (axis, value) in [
-                ("x", least.x),
-                ("z", least.y),
-                ("x", greatest.x),
-                ("z", greatest.y),
-            ] {
-                finite(&format!("table.cushions[{i}].{axis}"), value)?;
-            }
+            let field = |name: &str| format!("table.cushions[{i}].{name}");
             match cushion {
-                crate::physics::table::Cushion::Line(line) => {
-                    let length = (line.to - line.from).length();
-                    within(&format!("table.cushions[{i}].length"), length, 1e-9, 1e4)?;
+                Cushion::Line(line) => {
+                    in_plan(&field("from"), line.from)?;
+                    in_plan(&field("to"), line.to)?;
+                    within(&field("length"), (line.to - line.from).length(), 1e-9, 1e5)?;
                 }
-                crate::physics::table::Cushion::Arc(arc) => {
-                    within(&format!("table.cushions[{i}].radius"), arc.radius, 0.0, 1e4)?;
+                Cushion::Arc(arc) => {
+                    in_plan(&field("center"), arc.center)?;
+                    within(&field("radius"), arc.radius, 0.0, 1e4)?;
                 }
             }
         }
         for (i, pocket) in self.table.pockets.iter().enumerate() {
-            finite(&format!("table.pockets[{i}].center.x"), pocket.center.x)?;
-            finite(&format!("table.pockets[{i}].center.z"), pocket.center.y)?;
-            within(
-                &format!("table.pockets[{i}].radius"),
-                pocket.radius,
-                1e-6,
-                1e4,
-            )?;
-            within(&format!("table.pockets[{i}].depth"), pocket.depth, 0.0, 1e4)?;
+            let field = |name: &str| format!("table.pockets[{i}] (`{}`).{name}", pocket.name);
+            in_plan(&field("center"), pocket.center)?;
+            within(&field("radius"), pocket.radius, 1e-6, 1e4)?;
+            within(&field("depth"), pocket.depth, 0.0, 1e4)?;
         }
         if let Solver::Stepped(stepped) = &self.solver {
             within("solver.tick", stepped.tick, 1e-6, 0.25)?;
             if let Some((columns, rows)) = stepped.grid {
-                within("solver.grid.0", f64::from(columns), 1.0, 10_000.0)?;
-                within("solver.grid.1", f64::from(rows), 1.0, 10_000.0)?;
+                let (columns, rows) = (f64::from(columns), f64::from(rows));
+                within("solver.grid.0", columns, 1.0, MOST_CELLS)?;
+                within("solver.grid.1", rows, 1.0, MOST_CELLS)?;
+                within("solver.grid (cells)", columns * rows, 1.0, MOST_CELLS)?;
             }
-        }
-        if let Some(planned) = &self.shot {
-            if planned.ball >= self.balls.len() {
-                return Err(SceneError::NoSuchBall {
-                    ball: planned.ball,
-                    count: self.balls.len(),
-                });
-            }
-            check_parameters("shot", &planned.shot)?;
         }
         Ok(())
     }
 
+    fn check_shot(&self) -> Result<(), SceneError> {
+        let Some(planned) = &self.shot else {
+            return Ok(());
+        };
+        let Some(ball) = self.balls.get(planned.ball) else {
+            return Err(SceneError::NoSuchBall {
+                ball: planned.ball,
+                count: self.balls.len(),
+            });
+        };
+        if !in_play(ball) {
+            return Err(SceneError::StrikesPocketed {
+                ball: ball.name.clone(),
+            });
+        }
+        check_parameters("shot", &planned.shot)
+    }
+
     fn check_balls(&self) -> Result<(), SceneError> {
+        let mut names = HashSet::with_capacity(self.balls.len());
         for (i, ball) in self.balls.iter().enumerate() {
-            if self.balls[..i].iter().any(|other| other.name == ball.name) {
+            if !names.insert(ball.name.as_str()) {
                 return Err(SceneError::DuplicateName {
                     ball: i,
                     name: ball.name.clone(),
@@ -204,18 +114,17 @@ impl Scene {
                 ("spin", ball.state.angular_velocity, 1e5),
             ];
             for (name, vector, most) in vectors {
-                for (axis, value) in ["x", "y", "z"].into_iter().zip(vector.to_array()) {
-                    within(&field(&format!("{name}.{axis}")), value, -most, most)?;
-                }
+                in_space(&field(name), vector, most)?;
             }
         }
         Ok(())
     }
 
+    /// Every ball lies on the slate, clear of cushions and holes.
     fn check_places(&self) -> Result<(), SceneError> {
-        for (i, first) in self.balls.iter().enumerate() {
-            let (radius, position) = (first.ball.radius, first.state.position);
-            let name = || first.name.clone();
+        for ball in &self.balls {
+            let (radius, position) = (ball.ball.radius, ball.state.position);
+            let name = || ball.name.clone();
             if 2.0 * radius > self.table.length.min(self.table.width) {
                 return Err(SceneError::TableTooSmall {
                     length: self.table.length,
@@ -224,7 +133,7 @@ impl Scene {
                     radius,
                 });
             }
-            if first.state.motion == Motion::Pocketed {
+            if !in_play(ball) {
                 continue;
             }
             if (position.y - radius).abs() > OVERLAP_TOLERANCE {
@@ -234,7 +143,7 @@ impl Scene {
                     radius,
                 });
             }
-            let plan = glam::DVec2::new(position.x, position.z);
+            let plan = DVec2::new(position.x, position.z);
             for (cushion, nose) in self.table.cushions.iter().enumerate() {
                 let overlap = radius - nose.nearest(plan).0;
                 if overlap > OVERLAP_TOLERANCE {
@@ -245,30 +154,77 @@ impl Scene {
                     });
                 }
             }
-            if plan.x.abs() > 0.5 * self.table.length || plan.y.abs() > 0.5 * self.table.width {
+            let mut in_mouth = false;
+            for pocket in &self.table.pockets {
+                let distance = (plan - pocket.center).length();
+                if distance < pocket.radius {
+                    return Err(SceneError::OverPocket {
+                        ball: name(),
+                        pocket: pocket.name.clone(),
+                        overlap: pocket.radius - distance,
+                    });
+                }
+                // On the shelf of a side pocket a ball can rest past the line of the noses.
+                in_mouth |= distance < pocket.radius + radius;
+            }
+            let outside =
+                plan.x.abs() > 0.5 * self.table.length || plan.y.abs() > 0.5 * self.table.width;
+            if outside && !in_mouth {
                 return Err(SceneError::OffTable {
                     ball: name(),
                     x: plan.x,
                     z: plan.y,
                 });
             }
-            for second in &self.balls[..i] {
-                if second.state.motion == Motion::Pocketed {
-                    continue;
-                }
-                let distance = (position - second.state.position).length();
-                let overlap = radius + second.ball.radius - distance;
-                if overlap > OVERLAP_TOLERANCE {
-                    return Err(SceneError::Overlap {
-                        first: second.name.clone(),
-                        second: name(),
-                        overlap,
-                    });
-                }
-            }
         }
         Ok(())
     }
+
+    /// No two balls overlap. The balls are swept along x, so that a crowd costs little more than its neighbours; the
+    /// pair that is named is the first in scene order.
+    fn check_overlaps(&self) -> Result<(), SceneError> {
+        let mut swept: Vec<(f64, usize)> = (0..)
+            .zip(&self.balls)
+            .filter(|(_, ball)| in_play(ball))
+            .map(|(i, ball)| (ball.state.position.x, i))
+            .collect();
+        swept.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let largest = self
+            .balls
+            .iter()
+            .map(|ball| ball.ball.radius)
+            .fold(0.0, f64::max);
+        let mut worst: Option<(usize, usize, f64)> = None;
+        for (k, &(x, i)) in swept.iter().enumerate() {
+            let first = &self.balls[i];
+            let reach = first.ball.radius + largest;
+            for &(_, j) in swept[k + 1..]
+                .iter()
+                .take_while(|(other, _)| other - x < reach)
+            {
+                let second = &self.balls[j];
+                let distance = (first.state.position - second.state.position).length();
+                let overlap = first.ball.radius + second.ball.radius - distance;
+                let pair = (i.max(j), i.min(j), overlap);
+                let sooner = worst.is_none_or(|(late, early, _)| (pair.0, pair.1) < (late, early));
+                if overlap > OVERLAP_TOLERANCE && sooner {
+                    worst = Some(pair);
+                }
+            }
+        }
+        match worst {
+            Some((late, early, overlap)) => Err(SceneError::Overlap {
+                first: self.balls[early].name.clone(),
+                second: self.balls[late].name.clone(),
+                overlap,
+            }),
+            None => Ok(()),
+        }
+    }
+}
+
+fn in_play(ball: &SceneBall) -> bool {
+    ball.state.motion != Motion::Pocketed
 }
 
 fn check_parameters(parent: &str, checked: &impl Check) -> Result<(), SceneError> {
@@ -284,26 +240,37 @@ fn check_parameters(parent: &str, checked: &impl Check) -> Result<(), SceneError
     Ok(())
 }
 
-fn within(field: &str, value: f64, least: f64, most: f64) -> Result<(), SceneError> {
-    finite(field, value)?;
+fn in_plan(field: &str, point: DVec2) -> Result<(), SceneError> {
+    within(&format!("{field}.x"), point.x, -1e4, 1e4)?;
+    within(&format!("{field}.z"), point.y, -1e4, 1e4)
+}
+
+fn in_space(field: &str, vector: DVec3, most: f64) -> Result<(), SceneError> {
+    for (axis, value) in ["x", "y", "z"].into_iter().zip(vector.to_array()) {
+        within(&format!("{field}.{axis}"), value, -most, most)?;
+    }
+    Ok(())
+}
+
+/// A number that is finite and between two ends, both allowed.
+///
+/// # Errors
+/// [`SceneError::NotFinite`] or [`SceneError::OutOfRange`] with the field and the value.
+pub fn within(field: &str, value: f64, least: f64, most: f64) -> Result<(), SceneError> {
+    let field = || field.to_owned();
+    if !value.is_finite() {
+        return Err(SceneError::NotFinite {
+            field: field(),
+            value,
+        });
+    }
     if value < least || value > most {
         return Err(SceneError::OutOfRange {
-            field: field.to_owned(),
+            field: field(),
             value,
             least,
             most,
         });
     }
     Ok(())
-}
-
-fn finite(field: &str, value: f64) -> Result<(), SceneError> {
-    if value.is_finite() {
-        Ok(())
-    } else {
-        Err(SceneError::NotFinite {
-            field: field.to_owned(),
-            value,
-        })
-    }
 }

@@ -1,9 +1,11 @@
 //! The one description that a scene file, a test, a benchmark, the aim preview and a saved game share.
 
 mod check;
+mod error;
 mod rack;
 
-pub use check::{OVERLAP_TOLERANCE, SceneError};
+pub use check::{OVERLAP_TOLERANCE, within};
+pub use error::SceneError;
 pub use rack::Rack;
 
 use glam::DVec3;

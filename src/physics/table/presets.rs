@@ -6,6 +6,7 @@ use crate::physics::table::{Mouth, PocketedTable, Table};
 
 /// A table by name.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub enum Preset {
     /// 9 ft pool table, 2.54 m × 1.27 m (WPA equipment specification).
     NineFoot,

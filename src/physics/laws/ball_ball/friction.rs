@@ -6,6 +6,7 @@ use crate::physics::laws::{Check, Parameter};
 
 /// How ball-ball friction depends on the speed of slip.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub enum Friction {
     /// The same at every speed.
     Constant(f64),

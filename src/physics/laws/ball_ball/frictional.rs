@@ -16,7 +16,7 @@ use crate::physics::laws::{Check, Parameter};
 
 /// Rough balls.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, default)]
 pub struct Frictional {
     /// Coefficient of restitution, 0 to 1.
     pub restitution: f64,

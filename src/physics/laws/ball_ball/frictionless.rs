@@ -12,7 +12,7 @@ use crate::physics::laws::{Check, Parameter};
 
 /// Smooth balls.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, default)]
 pub struct Frictionless {
     /// Coefficient of restitution, 0 to 1.
     pub restitution: f64,

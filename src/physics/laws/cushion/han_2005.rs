@@ -16,7 +16,7 @@ use crate::physics::laws::{Check, Parameter};
 
 /// Han's cushion.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, default)]
 pub struct Han2005 {
     /// Coefficient of restitution along the inclined normal, 0 to 1.
     pub restitution: f64,

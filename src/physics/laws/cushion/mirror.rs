@@ -11,7 +11,7 @@ use crate::physics::laws::{Check, Parameter};
 
 /// A wall.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, default)]
 pub struct Mirror {
     /// Coefficient of restitution, 0 to 1.
     pub restitution: f64,

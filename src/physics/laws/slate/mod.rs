@@ -8,6 +8,7 @@ use crate::physics::laws::{Check, Parameter};
 
 /// What the slate does to a ball that is driven into it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub enum SlateLaw {
     /// The ball stays on the slate: its vertical velocity is dropped.
     #[default]

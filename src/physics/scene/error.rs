@@ -1,0 +1,122 @@
+//! Why a scene cannot be played.
+
+use thiserror::Error;
+
+/// Why a scene cannot be played. Every variant names the field and the value.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum SceneError {
+    /// No balls.
+    #[error("balls: there are 0 balls, at least 1 is needed")]
+    NoBalls,
+    /// Two balls share a name.
+    #[error("balls[{ball}].name: `{name}` is used twice")]
+    DuplicateName {
+        /// Index of the second ball.
+        ball: usize,
+        /// The name.
+        name: String,
+    },
+    /// A number is not finite or out of its range.
+    #[error("{field}: {value} is not allowed, it must be between {least} and {most}")]
+    OutOfRange {
+        /// Path of the field.
+        field: String,
+        /// The value.
+        value: f64,
+        /// Smallest allowed value.
+        least: f64,
+        /// Largest allowed value.
+        most: f64,
+    },
+    /// A number is NaN or infinite.
+    #[error("{field}: {value} is not a finite number")]
+    NotFinite {
+        /// Path of the field.
+        field: String,
+        /// The value.
+        value: f64,
+    },
+    /// Two balls overlap.
+    #[error("balls: `{first}` and `{second}` overlap by {overlap} m")]
+    Overlap {
+        /// One ball.
+        first: String,
+        /// The other.
+        second: String,
+        /// Depth in m.
+        overlap: f64,
+    },
+    /// A ball is inside a cushion.
+    #[error("balls: `{ball}` is inside cushion {cushion} by {overlap} m")]
+    InsideCushion {
+        /// The ball.
+        ball: String,
+        /// Index of the cushion.
+        cushion: usize,
+        /// Depth in m.
+        overlap: f64,
+    },
+    /// A ball lies outside the table.
+    #[error("balls: `{ball}` at x = {x} m, z = {z} m is not on the table")]
+    OffTable {
+        /// The ball.
+        ball: String,
+        /// Position, m.
+        x: f64,
+        /// Position, m.
+        z: f64,
+    },
+    /// The centre of a ball in play lies over a hole.
+    #[error("balls: `{ball}` is over pocket `{pocket}`, {overlap} m inside its edge")]
+    OverPocket {
+        /// The ball.
+        ball: String,
+        /// The pocket.
+        pocket: String,
+        /// Distance from the edge of the hole, m.
+        overlap: f64,
+    },
+    /// A ball is not on the slate.
+    #[error(
+        "balls: `{ball}`: position.y is {height} m, a ball on the slate has y = radius = {radius} m"
+    )]
+    OffSlate {
+        /// The ball.
+        ball: String,
+        /// Height of the centre, m.
+        height: f64,
+        /// Radius, m.
+        radius: f64,
+    },
+    /// The table is too small for a ball.
+    #[error("table: {length} m x {width} m is smaller than ball `{ball}` of radius {radius} m")]
+    TableTooSmall {
+        /// Length, m.
+        length: f64,
+        /// Width, m.
+        width: f64,
+        /// The ball.
+        ball: String,
+        /// Radius, m.
+        radius: f64,
+    },
+    /// The shot names a ball that is not there.
+    #[error("shot.ball: there is no ball number {ball}, the scene has {count}")]
+    NoSuchBall {
+        /// Index asked for.
+        ball: usize,
+        /// Number of balls.
+        count: usize,
+    },
+    /// The shot strikes a ball that is not on the table.
+    #[error("shot.ball: `{ball}` is in a pocket")]
+    StrikesPocketed {
+        /// The ball.
+        ball: String,
+    },
+    /// The exact solver needs closed forms.
+    #[error(
+        "solver: `Exact` cannot play motion law `Coursework`, which has no closed form; use `Stepped`"
+    )]
+    NotExact,
+}

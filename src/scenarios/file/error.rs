@@ -1,0 +1,186 @@
+//! What can be wrong with a scene file.
+
+use thiserror::Error;
+
+use crate::physics::scene::SceneError;
+
+/// Why a scene file cannot be used. Every variant names the file, the place in it and the value found there.
+#[derive(Debug, Error)]
+pub enum FileError {
+    /// The file cannot be opened or read.
+    #[error("{file}: {source}")]
+    Read {
+        /// The file.
+        file: String,
+        /// What the system says.
+        source: std::io::Error,
+    },
+    /// The file is too large.
+    #[error("{file}: larger than {most} bytes, the largest scene file that is read")]
+    TooLarge {
+        /// The file.
+        file: String,
+        /// Largest size, bytes.
+        most: u64,
+    },
+    /// The file is not UTF-8.
+    #[error("{file}: byte {byte} is not UTF-8 text")]
+    NotText {
+        /// The file.
+        file: String,
+        /// Offset of the first bad byte.
+        byte: usize,
+    },
+    /// The text is not a scene file: bad RON, an unknown or missing field, a value of the wrong kind.
+    #[error("{file}:{line}:{column}: {message}\n  {excerpt}")]
+    Syntax {
+        /// The file.
+        file: String,
+        /// Line, from 1.
+        line: usize,
+        /// Column, from 1.
+        column: usize,
+        /// What is wrong.
+        message: String,
+        /// The line of the file, cut to the neighbourhood of the place.
+        excerpt: String,
+    },
+    /// A field has a value that makes no sense.
+    #[error("{file}: {problem}")]
+    Field {
+        /// The file.
+        file: String,
+        /// The field and its value.
+        problem: FieldError,
+    },
+    /// The scene cannot be played.
+    #[error("{file}: {problem}")]
+    Scene {
+        /// The file.
+        file: String,
+        /// The field and its value.
+        problem: SceneError,
+    },
+    /// A scene cannot be spelled in RON.
+    #[error("the scene cannot be written as text: {message}")]
+    Write {
+        /// What the writer says.
+        message: String,
+    },
+}
+
+impl FileError {
+    /// Characters of a line shown on each side of a mistake.
+    const AROUND: usize = 50;
+
+    pub(super) fn syntax(file: &str, text: &str, error: &ron::error::SpannedError) -> Self {
+        // The end of the span is where the reader stopped: at the value it could not take.
+        let place = error.span.end;
+        let line = text.lines().nth(place.line.saturating_sub(1)).unwrap_or("");
+        let skipped = place.col.saturating_sub(1 + Self::AROUND);
+        let excerpt: String = line
+            .chars()
+            .skip(skipped)
+            .take(2 * Self::AROUND)
+            .map(|c| if c.is_control() { ' ' } else { c })
+            .collect();
+        let excerpt = excerpt.trim();
+        Self::Syntax {
+            file: file.to_owned(),
+            line: place.line,
+            column: place.col,
+            message: error.code.to_string(),
+            excerpt: if excerpt.is_empty() {
+                "(the line is empty)".to_owned()
+            } else {
+                excerpt.to_owned()
+            },
+        }
+    }
+}
+
+/// A field of a scene file whose value makes no sense.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum FieldError {
+    /// The file is of a version that is not known.
+    #[error("version: {version} is not known, this program reads version 1")]
+    Version {
+        /// The version found.
+        version: u32,
+    },
+    /// Exactly one of several fields is needed.
+    #[error("{parent}: one of {choices} is needed, {count} are given")]
+    OneOf {
+        /// The struct.
+        parent: String,
+        /// The fields.
+        choices: &'static str,
+        /// How many are given.
+        count: usize,
+    },
+    /// A ball is named that is not there.
+    #[error("{field}: there is no ball `{name}`, there are {known}")]
+    NoSuchBall {
+        /// The field.
+        field: &'static str,
+        /// The name found.
+        name: String,
+        /// The names that could be used.
+        known: String,
+    },
+    /// A ball aims at itself, or at a ball in the same place.
+    #[error("shot.aim_at: `{name}` gives no direction")]
+    NoDirection {
+        /// The name found.
+        name: String,
+    },
+    /// There is not enough room for a fill.
+    #[error("fill.count: {count} balls do not fit on the table, {placed} do")]
+    NoRoom {
+        /// Balls asked for.
+        count: u32,
+        /// Balls placed.
+        placed: u32,
+    },
+    /// A range whose ends are the wrong way round.
+    #[error("{field}: {least} is above {most}")]
+    EmptyRange {
+        /// The field.
+        field: &'static str,
+        /// The first end.
+        least: f64,
+        /// The second end.
+        most: f64,
+    },
+}
+
+/// A scene that cannot be made of a file, before the file is named.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum LayoutError {
+    /// A field of the file.
+    Field(FieldError),
+    /// A field of the scene.
+    Scene(SceneError),
+}
+
+impl LayoutError {
+    pub(super) fn in_file(self, file: &str) -> FileError {
+        let file = file.to_owned();
+        match self {
+            Self::Field(problem) => FileError::Field { file, problem },
+            Self::Scene(problem) => FileError::Scene { file, problem },
+        }
+    }
+}
+
+impl From<FieldError> for LayoutError {
+    fn from(error: FieldError) -> Self {
+        Self::Field(error)
+    }
+}
+
+impl From<SceneError> for LayoutError {
+    fn from(error: SceneError) -> Self {
+        Self::Scene(error)
+    }
+}

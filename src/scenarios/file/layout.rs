@@ -1,0 +1,126 @@
+//! The file as a whole.
+
+use serde::{Deserialize, Serialize};
+
+use crate::physics::ball::Ball;
+use crate::physics::cue::Cue;
+use crate::physics::scene::{Scene, Solver};
+use crate::scenarios::file::Scenario;
+use crate::scenarios::file::balls::{BallConstants, BallEntry, RackEntry};
+use crate::scenarios::file::error::{FieldError, LayoutError};
+use crate::scenarios::file::fill::Fill;
+use crate::scenarios::file::shot::ShotEntry;
+use crate::scenarios::file::surroundings::{LawsEntry, TableEntry};
+
+/// A scene file.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename = "Scene")]
+pub(super) struct SceneFile {
+    /// Version of the format.
+    #[serde(default = "SceneFile::version")]
+    version: u32,
+    /// One line.
+    #[serde(default)]
+    pub(super) title: String,
+    /// What to look at.
+    #[serde(default)]
+    pub(super) description: String,
+    table: TableEntry,
+    #[serde(default)]
+    laws: LawsEntry,
+    #[serde(default)]
+    cue: Cue,
+    /// Constants of every ball that does not give its own.
+    #[serde(default)]
+    ball: BallConstants,
+    /// A rack on the foot spot, with a cue ball on the head spot. A ball of `balls` with the name of a racked one
+    /// takes its place.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    rack: Option<RackEntry>,
+    #[serde(default)]
+    balls: Vec<BallEntry>,
+    /// Balls at random places.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    fill: Option<Fill>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    shot: Option<ShotEntry>,
+    #[serde(default)]
+    solver: Solver,
+    #[serde(default = "SceneFile::time_limit")]
+    time_limit: f64,
+}
+
+impl SceneFile {
+    fn version() -> u32 {
+        1
+    }
+
+    fn time_limit() -> f64 {
+        Scene::TIME_LIMIT
+    }
+
+    /// The file of a scene, with every default spelled out.
+    pub(super) fn of(scenario: &Scenario) -> Self {
+        let scene = &scenario.scene;
+        Self {
+            version: Self::version(),
+            title: scenario.title.clone(),
+            description: scenario.description.clone(),
+            table: TableEntry::of(&scene.table),
+            laws: LawsEntry::of(&scene.laws),
+            cue: scene.cue,
+            ball: BallConstants::default(),
+            rack: None,
+            balls: scene
+                .balls
+                .iter()
+                .map(|ball| BallEntry::of(&scene.laws, ball))
+                .collect(),
+            fill: None,
+            shot: scene
+                .shot
+                .and_then(|planned| ShotEntry::of(scene, &planned)),
+            solver: scene.solver,
+            time_limit: scene.time_limit,
+        }
+    }
+
+    /// The scene, checked.
+    pub(super) fn into_scene(self) -> Result<Scene, LayoutError> {
+        if self.version != Self::version() {
+            return Err(FieldError::Version {
+                version: self.version,
+            }
+            .into());
+        }
+        let mut scene = Scene::new(self.table.table(), self.laws.laws());
+        scene.cue = self.cue;
+        scene.solver = self.solver;
+        scene.time_limit = self.time_limit;
+        scene.check_surroundings()?;
+        let ball = self.ball.or(Ball::POOL);
+        if let Some(rack) = &self.rack {
+            rack.place(&mut scene, ball)?;
+        }
+        let racked = scene.balls.len();
+        for (i, entry) in self.balls.into_iter().enumerate() {
+            let placed = entry.ball(i, &scene, ball)?;
+            match scene.balls[..racked]
+                .iter_mut()
+                .find(|other| other.name == placed.name)
+            {
+                Some(other) => *other = placed,
+                None => scene.balls.push(placed),
+            }
+        }
+        if let Some(fill) = &self.fill {
+            fill.place(&mut scene, ball)?;
+        }
+        scene.shot = match &self.shot {
+            Some(shot) => Some(shot.planned(&scene)?),
+            None => None,
+        };
+        scene.check()?;
+        Ok(scene)
+    }
+}

@@ -1,0 +1,133 @@
+//! Scene files: RON text in which a person can say everything a [`Scene`] holds.
+//!
+//! A number goes in and comes out with every bit. What is left out has its default; a field that is not known is an
+//! error. Lengths in m, masses in kg, times in s, angles in rad unless the name says `_deg`.
+//!
+//! ```ron
+//! (
+//!     title: "Stop shot",
+//!     table: NineFoot,                       // EightFoot, SevenFoot, Carom, Box(length: 2, width: 1), Full(...)
+//!     laws: Pool,                            // Ideal, Coursework, Custom(base: Pool, cushion: Mirror())
+//!     balls: [
+//!         (name: "cue", position: (-0.635, 0)),
+//!         (name: "1", diamonds: (2, 4)),
+//!     ],
+//!     shot: (ball: "cue", aim_at: "1", speed: 2, height: -0.3),
+//! )
+//! ```
+//!
+//! The text is read into structs of this module, which mirror the file and nothing else, and is then
+//! converted into a [`Scene`] and checked. The parts that describe a law, a cue or a solver are the structs of the
+//! physics itself, so that a new law can be named in a file without a change here.
+
+mod balls;
+mod error;
+mod fill;
+mod layout;
+mod shot;
+mod surroundings;
+#[cfg(test)]
+mod tests;
+
+pub use error::{FieldError, FileError};
+
+use std::io::Read;
+use std::path::Path;
+
+use ron::extensions::Extensions;
+use ron::ser::PrettyConfig;
+
+use crate::physics::scene::Scene;
+use layout::SceneFile;
+
+/// A scene with what a person calls it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scenario {
+    /// One line.
+    pub title: String,
+    /// What to look at; may be empty.
+    pub description: String,
+    /// The scene, checked.
+    pub scene: Scene,
+}
+
+/// Largest scene file that is read, in bytes: a million balls written in full fit.
+const LARGEST: u64 = 1 << 28;
+
+/// Reads and checks a scene file.
+///
+/// # Errors
+/// [`FileError`] if it cannot be read, is not a scene file or describes a scene that cannot be played.
+pub fn read(path: &Path) -> Result<Scenario, FileError> {
+    let file = path.display().to_string();
+    let unreadable = |source| FileError::Read {
+        file: file.clone(),
+        source,
+    };
+    let mut bytes = Vec::new();
+    std::fs::File::open(path)
+        .and_then(|opened| opened.take(LARGEST + 1).read_to_end(&mut bytes))
+        .map_err(unreadable)?;
+    if bytes.len() as u64 > LARGEST {
+        return Err(FileError::TooLarge {
+            file,
+            most: LARGEST,
+        });
+    }
+    let text = String::from_utf8(bytes).map_err(|error| FileError::NotText {
+        file: file.clone(),
+        byte: error.utf8_error().valid_up_to(),
+    })?;
+    parse(&text, &file)
+}
+
+/// Reads and checks the text of a scene file; `file` is what errors call it.
+///
+/// # Errors
+/// [`FileError`] if the text is not a scene file or describes a scene that cannot be played.
+pub fn parse(text: &str, file: &str) -> Result<Scenario, FileError> {
+    let layout = layout(text, file)?;
+    let (title, description) = (layout.title.clone(), layout.description.clone());
+    let scene = layout.into_scene().map_err(|error| error.in_file(file))?;
+    Ok(Scenario {
+        title,
+        description,
+        scene,
+    })
+}
+
+/// The title of the text of a scene file, without laying out its scene.
+///
+/// # Errors
+/// [`FileError::Syntax`] if the text is not a scene file.
+pub fn title(text: &str, file: &str) -> Result<String, FileError> {
+    layout(text, file).map(|layout| layout.title)
+}
+
+fn layout(text: &str, file: &str) -> Result<SceneFile, FileError> {
+    dialect()
+        .from_str(text)
+        .map_err(|error| FileError::syntax(file, text, &error))
+}
+
+/// The text of a scene file that reads back as this scene, bit for bit.
+///
+/// # Errors
+/// [`FileError::Write`] if a number or a text cannot be spelled in RON.
+pub fn write(scenario: &Scenario) -> Result<String, FileError> {
+    let layout = SceneFile::of(scenario);
+    let pretty = PrettyConfig::new().depth_limit(3).new_line("\n");
+    let mut text = dialect()
+        .to_string_pretty(&layout, pretty)
+        .map_err(|error| FileError::Write {
+            message: error.to_string(),
+        })?;
+    text.push('\n');
+    Ok(text)
+}
+
+/// RON in which `Some` may be left out and a variant needs one pair of brackets only.
+fn dialect() -> ron::Options {
+    ron::Options::default()
+        .with_default_extension(Extensions::IMPLICIT_SOME | Extensions::UNWRAP_VARIANT_NEWTYPES)
+}

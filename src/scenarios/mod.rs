@@ -1,0 +1,3 @@
+//! What can be played: scene files, and the library of scenes that is built in.
+
+pub mod file;
