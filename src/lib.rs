@@ -8,8 +8,11 @@
 //! | [`sim`] | the table as a Bevy world, headless: components, messages, the clock, the solvers as ordered systems |
 //! | [`scenarios`] | scene files and the library of scenes |
 //! | [`game`] | what the player aims, practice; no pixels |
+//! | `window` | what a person sees and touches; feature `window` |
 
 pub mod game;
 pub mod physics;
 pub mod scenarios;
 pub mod sim;
+#[cfg(feature = "window")]
+pub mod window;

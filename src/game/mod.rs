@@ -1,7 +1,8 @@
-//! The game without pixels: what the player aims, practice on an open table.
+//! The game without pixels: what the player aims, what the player sees of it, practice on an open table.
 
 pub mod aim;
 pub mod practice;
+pub mod view;
 
 use bevy::prelude::*;
 
@@ -10,6 +11,6 @@ pub struct GamePlugin;
 
 impl Plugin for GamePlugin {
     fn build(&self, app: &mut App) {
-        app.add_plugins((aim::plugin, practice::plugin));
+        app.add_plugins((aim::plugin, practice::plugin, view::plugin));
     }
 }

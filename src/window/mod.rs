@@ -1,0 +1,115 @@
+//! What a person sees and touches: the drawn table, the cameras, the controls.
+//!
+//! The children never import each other. They meet in messages and resources of [`sim`](crate::sim) and
+//! [`game`](crate::game). A frame runs [`WindowSystems`] in order, with the fixed ticks between `Input` and `Present`.
+
+mod camera;
+mod display;
+mod pace;
+mod render;
+
+pub use display::NoDisplay;
+
+use bevy::app::PluginGroupBuilder;
+use bevy::asset::AssetPlugin;
+use bevy::log::{Level, LogPlugin};
+use bevy::prelude::*;
+use bevy_egui::{EguiPlugin, EguiPrimaryContextPass};
+
+use crate::game::GamePlugin;
+use crate::physics::ball::Ball;
+use crate::physics::laws::Laws;
+use crate::physics::scene::{Rack, Scene};
+use crate::physics::table::Preset;
+use crate::sim::SimPlugin;
+use crate::sim::playfield::lay_out;
+
+/// The order of one frame.
+#[derive(SystemSet, Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum WindowSystems {
+    /// Keys and pointer become aim, camera input and messages. Runs in [`RunFixedMainLoop`], before the fixed ticks.
+    Input,
+    /// Transforms, meshes and sounds follow the simulation. Runs in [`RunFixedMainLoop`], after the fixed ticks.
+    Present,
+    /// Panels are laid out and read. Runs in [`EguiPrimaryContextPass`].
+    Ui,
+}
+
+/// Everything with pixels or sound, on top of [`SimPlugin`] and [`GamePlugin`].
+pub struct WindowPlugin;
+
+impl Plugin for WindowPlugin {
+    fn build(&self, app: &mut App) {
+        app.init_schedule(EguiPrimaryContextPass)
+            .configure_sets(
+                RunFixedMainLoop,
+                (
+                    WindowSystems::Input.in_set(RunFixedMainLoopSystems::BeforeFixedMainLoop),
+                    WindowSystems::Present.in_set(RunFixedMainLoopSystems::AfterFixedMainLoop),
+                ),
+            )
+            .configure_sets(EguiPrimaryContextPass, WindowSystems::Ui)
+            .add_plugins((pace::plugin, camera::plugin, render::plugin));
+    }
+}
+
+/// The plugins of the whole program on top of Bevy's own.
+#[must_use]
+pub fn windowed() -> PluginGroupBuilder {
+    PluginGroupBuilder::start::<Windowed>()
+        .add(EguiPlugin::default())
+        .add(SimPlugin)
+        .add(GamePlugin)
+        .add(WindowPlugin)
+}
+
+struct Windowed;
+
+impl PluginGroup for Windowed {
+    fn build(self) -> PluginGroupBuilder {
+        windowed()
+    }
+}
+
+/// Opens the window and plays until it is closed, starting from this scene or from a racked table.
+///
+/// # Errors
+/// [`NoDisplay`] if there is nothing to draw on or with.
+pub fn play(scene: Option<Scene>) -> Result<AppExit, NoDisplay> {
+    let mut app = display::on_screen(|| {
+        let mut app = App::new();
+        app.add_plugins(engine()).add_plugins(windowed());
+        app
+    })?;
+    lay_out(app.world_mut(), &scene.unwrap_or_else(opening));
+    Ok(app.run())
+}
+
+/// Bevy's plugins for a window of ours. Nothing is read from files: every asset is generated or embedded.
+fn engine() -> PluginGroupBuilder {
+    DefaultPlugins
+        .set(bevy::window::WindowPlugin {
+            primary_window: Some(Window {
+                title: "Massé".to_owned(),
+                name: Some("masse".to_owned()),
+                resolution: (1280, 720).into(),
+                ..default()
+            }),
+            ..default()
+        })
+        .set(AssetPlugin {
+            watch_for_changes_override: Some(false),
+            ..default()
+        })
+        .set(LogPlugin {
+            level: Level::WARN,
+            ..default()
+        })
+}
+
+/// A nine-foot table with fifteen balls racked.
+fn opening() -> Scene {
+    let mut scene = Scene::new(Preset::NineFoot.table(), Laws::default());
+    Rack::EightBall.place(&mut scene, Ball::POOL, 0.0, 1);
+    scene
+}
