@@ -1,7 +1,10 @@
-//! The tests of the house, in one binary: judges with known answers and properties of every law.
+//! The tests of the house, in one binary: judges with known answers, properties of every law, tables of another program,
+//! the map of the rooms, and the order of the systems.
 
+mod architecture;
 mod closeness;
 mod frames;
 mod judges;
 mod properties;
+mod reference;
 mod schedules;
