@@ -13,6 +13,7 @@ use crate::sim::components::{
     ball_and_state,
 };
 use crate::sim::messages::LoadScene;
+use crate::sim::recorder::Recorder;
 
 /// The table, its laws, the cue and the solver in use.
 #[derive(Resource, Clone, Debug, PartialEq)]
@@ -81,6 +82,7 @@ pub fn lay_out(world: &mut World, scene: &Scene) {
         solver: scene.solver,
     });
     world.insert_resource(Clock::new(&scene.solver));
+    world.insert_resource(Recorder::start(scene));
     if let Some(planned) = scene.shot {
         world.write_message(crate::sim::messages::Strike {
             ball: planned.ball,

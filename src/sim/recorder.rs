@@ -2,59 +2,102 @@
 
 use bevy::prelude::*;
 
-use crate::physics::ball::State;
-use crate::physics::record::Event;
+use crate::physics::ball::{Ball, Motion, State};
+use crate::physics::laws::Laws;
+use crate::physics::record::{EndReason, Event, Participant, PathPiece, Record};
 use crate::physics::scene::Scene;
 use crate::sim::SimSystems;
 use crate::sim::clock::Clock;
 use crate::sim::components::{
     AngularVelocity, BallIndex, Mass, MotionKind, Position, Radius, Velocity, ball_and_state,
 };
-use crate::sim::messages::{LoadScene, MotionChanged, Pocketed, Struck, Touched};
+use crate::sim::messages::{MotionChanged, Pocketed, Struck, Touched};
 use crate::sim::playfield::{BallQuery, Playfield, snapshot};
 
-/// The events and the sampled paths of the present shot, or of the last one while nothing moves.
+/// The events and the paths of the present shot, or of the last one while nothing moves.
 #[derive(Resource, Clone, Debug, Default)]
 pub struct Recorder {
     /// Events in order of time; the first is the stroke.
     pub events: Vec<Event>,
+    /// For each ball the closed-form pieces of its path.
+    pub paths: Vec<Vec<PathPiece>>,
     /// For each ball its state at the start, at every event it had and after every tick in which it moved, with the
     /// time in s.
     pub trails: Vec<Vec<(f64, State)>>,
-    /// The table just before the stroke: what a retry goes back to.
+    /// The table as the shot found it: what a retry goes back to.
     pub before: Option<Scene>,
 }
 
 impl Recorder {
-    fn mark(&mut self, ball: usize, time: f64, state: State) {
-        if self.trails.len() <= ball {
-            self.trails.resize(ball + 1, Vec::new());
+    /// An empty record of a shot that begins with this scene.
+    #[must_use]
+    pub fn start(scene: &Scene) -> Self {
+        let motion = &scene.laws.motion;
+        let states = scene
+            .balls
+            .iter()
+            .map(|ball| (ball.ball, motion.classify(&ball.ball, ball.state)));
+        Self {
+            events: Vec::new(),
+            paths: states
+                .clone()
+                .map(|(ball, state)| {
+                    vec![PathPiece {
+                        time: 0.0,
+                        piece: motion.piece(&ball, &state),
+                    }]
+                })
+                .collect(),
+            trails: states.map(|(_, state)| vec![(0.0, state)]).collect(),
+            before: Some(scene.clone()),
         }
-        self.trails[ball].push((time, state));
+    }
+
+    /// What happened so far, complete: the state of every ball at any time up to `end_time`.
+    #[must_use]
+    pub fn record(&self, end_time: f64, reason: Option<EndReason>) -> Record {
+        let mut record = Record {
+            events: self.events.clone(),
+            paths: self.paths.clone(),
+            end: Vec::new(),
+            end_time: f64::INFINITY,
+            reason,
+        };
+        record.end = (0..self.paths.len())
+            .map(|ball| record.state_at(ball, end_time))
+            .collect();
+        record.end_time = end_time;
+        record
+    }
+
+    fn turn(&mut self, laws: &Laws, ball: &Ball, index: usize, time: f64, state: State) {
+        if let Some(path) = self.paths.get_mut(index) {
+            path.push(PathPiece {
+                time,
+                piece: laws.motion.piece(ball, &state),
+            });
+        }
+    }
+
+    fn mark(&mut self, ball: usize, time: f64, state: State) {
+        if let Some(trail) = self.trails.get_mut(ball) {
+            trail.push((time, state));
+        }
     }
 }
 
 pub(super) fn plugin(app: &mut App) {
-    app.init_resource::<Recorder>()
-        .add_systems(
-            FixedUpdate,
-            (
-                forget.run_if(on_message::<LoadScene>).before(remember),
-                remember.run_if(on_message::<crate::sim::messages::Strike>),
-            )
+    app.init_resource::<Recorder>().add_systems(
+        FixedUpdate,
+        (
+            remember
+                .run_if(on_message::<crate::sim::messages::Strike>)
                 .in_set(SimSystems::Strike)
-                .before(super::clock::strike)
-                .before(super::playfield::load_scene),
-        )
-        .add_systems(
-            FixedUpdate,
+                .after(super::playfield::load_scene)
+                .before(super::clock::strike),
             record.in_set(SimSystems::Record).before(super::clock::rest),
-        );
-}
-
-/// A new scene has no past.
-fn forget(mut recorder: ResMut<Recorder>) {
-    *recorder = Recorder::default();
+        ),
+    );
 }
 
 /// Keeps the table as it is before a stroke.
@@ -62,15 +105,12 @@ fn remember(
     mut recorder: ResMut<Recorder>,
     playfield: Res<Playfield>,
     balls: BallQuery,
-    clock: Res<Clock>,
+    kinds: Query<&MotionKind>,
 ) {
-    if clock.moving || balls.is_empty() {
-        return;
+    let still = |kind: &MotionKind| matches!(kind.0, Motion::Rest | Motion::Pocketed);
+    if kinds.iter().all(still) && !balls.is_empty() {
+        *recorder = Recorder::start(&snapshot(&playfield, &balls));
     }
-    *recorder = Recorder {
-        before: Some(snapshot(&playfield, &balls)),
-        ..Recorder::default()
-    };
 }
 
 /// Writes down what the solver said, and where the balls are.
@@ -85,6 +125,7 @@ fn record(
     mut pocketed: MessageReader<Pocketed>,
     mut changed: MessageReader<MotionChanged>,
     clock: Res<Clock>,
+    playfield: Res<Playfield>,
     balls: Query<(
         &BallIndex,
         &Position,
@@ -113,10 +154,18 @@ fn record(
         .extend(changed.read().map(|message| message.0));
     // Messages of one kind come in order of time; the sort is stable, so equal times keep their kinds' order.
     recorder.events[first..].sort_by(|a, b| a.time.total_cmp(&b.time));
+    let bodies: Vec<Ball> = recorder
+        .before
+        .iter()
+        .flat_map(|scene| scene.balls.iter().map(|ball| ball.ball))
+        .collect();
     for at in first..recorder.events.len() {
         let event = recorder.events[at];
-        for participant in event.participants() {
-            recorder.mark(participant.ball, event.time, participant.after);
+        for Participant { ball, after, .. } in event.participants() {
+            recorder.mark(*ball, event.time, *after);
+            if let Some(body) = bodies.get(*ball) {
+                recorder.turn(&playfield.laws, body, *ball, event.time, *after);
+            }
         }
     }
     for (index, position, velocity, spin, mass, radius, motion) in &balls {

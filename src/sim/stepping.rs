@@ -14,7 +14,7 @@
 //! let mut app = stepping::headless_app(&scene);
 //! stepping::step(&mut app, 60);
 //! let states = stepping::states(&mut app);
-//! assert!(states[cue].position.x > 0.4);
+//! assert!(states[cue].position.x > 0.3);
 //! ```
 
 use bevy::prelude::*;
@@ -77,12 +77,7 @@ pub fn run_to_rest(scene: &Scene) -> (Record, Recorder) {
         .world_mut()
         .remove_resource::<Recorder>()
         .unwrap_or_default();
-    let record = Record {
-        events: recorder.events.clone(),
-        paths: Vec::new(),
-        end: states(&mut app),
-        end_time: app.world().resource::<Clock>().time(),
-        reason: Some(reason),
-    };
+    let mut record = recorder.record(app.world().resource::<Clock>().time(), Some(reason));
+    record.end = states(&mut app);
     (record, recorder)
 }

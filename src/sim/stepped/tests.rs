@@ -243,3 +243,18 @@ fn a_ball_without_spin_carries_none() {
     let distance = 1.0 / (2.0 * 0.01 * 9.81);
     assert!((record.end[0].position.x - distance).abs() < 1e-12 * 10.0);
 }
+
+#[test]
+fn the_record_knows_every_state_between_the_events() {
+    let scene = break_shot(Some((20, 20)));
+    let mut app = headless_app(&scene);
+    step(&mut app, 240);
+    let now = states(&mut app);
+    let clock = *app.world().resource::<crate::sim::clock::Clock>();
+    let recorder = app.world().resource::<crate::sim::recorder::Recorder>();
+    let record = recorder.record(clock.time(), None);
+    for (ball, state) in now.iter().enumerate() {
+        let error = (record.end[ball].position - state.position).length();
+        assert!(error < 1e-12, "ball {ball}: {error} m");
+    }
+}
