@@ -11,9 +11,12 @@ mod slate_and_cue;
 
 use proptest::test_runner::Config;
 
-/// Enough cases to meet every branch many times, few enough to take a second.
+/// Enough cases to meet every branch many times, few enough to take a second or two; `MASSE_CASES` asks for more.
 fn cases() -> Config {
-    Config::with_cases(2000)
+    let cases = std::env::var("MASSE_CASES")
+        .ok()
+        .and_then(|text| text.parse().ok());
+    Config::with_cases(cases.unwrap_or(5000))
 }
 
 /// Fails unless the energy after is at most the energy before, but for rounding of all that went into it.

@@ -23,7 +23,8 @@ fn cue() -> impl Strategy<Value = Cue> {
 }
 
 fn shot() -> impl Strategy<Value = Shot> {
-    let tip = (share(0.99), -3.2..3.2_f64);
+    // Just below the largest allowed offset, which rounding of the two parts would pass.
+    let tip = (share(0.99 - 1e-12), -3.2..3.2_f64);
     (-7.0..7.0_f64, share(1.56), tip, share(100.0)).prop_map(
         |(heading, elevation, (offset, clock), speed)| Shot {
             heading,
@@ -63,7 +64,7 @@ proptest! {
         cue in cue(), slate in slate_law(), ball in ball(), shot in shot(),
     ) {
         for parameter in cue.parameters().into_iter().chain(shot.parameters()) {
-            prop_assume!(parameter.is_allowed());
+            prop_assert!(parameter.is_allowed(), "{parameter:?}");
         }
         let rest = State::at_rest(glam::DVec3::Y * ball.radius);
         let struck = strike(&cue, &slate, &ball, &rest, &shot);
