@@ -2,6 +2,7 @@
 
 pub mod aim;
 pub mod practice;
+pub mod replay;
 pub mod view;
 
 use bevy::prelude::*;
@@ -11,6 +12,6 @@ pub struct GamePlugin;
 
 impl Plugin for GamePlugin {
     fn build(&self, app: &mut App) {
-        app.add_plugins((aim::plugin, practice::plugin, view::plugin));
+        app.add_plugins((aim::plugin, practice::plugin, replay::plugin, view::plugin));
     }
 }
