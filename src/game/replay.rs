@@ -153,10 +153,10 @@ type Balls<'w, 's> = Query<
 fn leave(
     mut replay: ResMut<Replay>,
     mut balls: Balls,
-    strikes: MessageReader<Strike>,
-    scenes: MessageReader<LoadScene>,
+    mut strikes: MessageReader<Strike>,
+    mut scenes: MessageReader<LoadScene>,
 ) {
-    if !strikes.is_empty() || !scenes.is_empty() {
+    if strikes.read().count() + scenes.read().count() > 0 {
         end(&mut replay, &mut balls);
     }
 }
