@@ -38,7 +38,8 @@ impl Track {
     }
 }
 
-/// When two balls meet whose radii add up to `reach`.
+/// When two balls meet whose radii add up to `reach`. On the slate the centres of balls of different size differ in
+/// height, and so they meet at a distance 2 √(R₁ R₂) in plan: the distance of the centres is always taken in space.
 ///
 /// # Errors
 /// [`RootError`] if a number is not finite.
@@ -63,7 +64,8 @@ pub fn pair(
     )
 }
 
-/// When a ball of this radius meets the straight part of a nose, from either side.
+/// When a ball of this radius meets the straight part of a nose, from either side. A nose has no end caps: give it
+/// arcs of radius 0 if its ends can be met.
 ///
 /// # Errors
 /// [`RootError`] if a number is not finite.
@@ -85,22 +87,24 @@ pub fn line(
     if p.dot(normal) < 0.0 {
         normal = -normal;
     }
-    let mut from = 0.0;
-    // A path can leave the line and meet it again beyond its end, so each crossing is tried in turn.
-    for _ in 0..2 {
-        let Some(time) = roots::quadratic::first_closing(
-            [p.dot(normal) - radius, v.dot(normal), half.dot(normal)],
-            from,
-            horizon,
-        )?
-        else {
-            return Ok(None);
-        };
+    let (distance, speed, bend) = (p.dot(normal), v.dot(normal), half.dot(normal));
+    if speed >= 0.0 && bend >= 0.0 && (speed + bend).is_finite() {
+        return Ok(None);
+    }
+    let meets = |time: f64| {
         let foot = p.dot(along) + time * (v.dot(along) + time * half.dot(along));
-        if (0.0..=length).contains(&foot) {
-            return Ok(Some(time));
-        }
-        from = time.next_up();
+        (0.0..=length).contains(&foot)
+    };
+    // Each side is fallen upon once at most, because the distance is a parabola in time.
+    let near = roots::quadratic::first_closing([distance - radius, speed, bend], 0.0, horizon)?;
+    if let Some(time) = near.filter(|time| meets(*time)) {
+        return Ok(Some(time));
+    }
+    // A path may pass beyond the end of the nose, turn behind it, and come back from there.
+    if bend > 0.0 && speed * speed > 4.0 * bend * (distance + radius) {
+        let far =
+            roots::quadratic::first_closing([-distance - radius, -speed, -bend], 0.0, horizon)?;
+        return Ok(far.filter(|time| meets(*time)));
     }
     Ok(None)
 }

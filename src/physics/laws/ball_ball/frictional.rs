@@ -34,8 +34,10 @@ impl Default for Frictional {
 }
 
 impl Frictional {
+    /// `cap` scales the normal impulse that limits friction: 1 is right.
     pub(super) fn collide(
         &self,
+        cap: f64,
         (ball_1, state_1): (&Ball, &State),
         (ball_2, state_2): (&Ball, &State),
         contact: &PairContact,
@@ -58,7 +60,7 @@ impl Frictional {
         }
         let total = ball_1.mass + ball_2.mass;
         let reduced = ball_1.mass * (ball_2.mass / total);
-        let sliding = self.friction.coefficient(speed) * outcome.impulse;
+        let sliding = self.friction.coefficient(speed) * cap * outcome.impulse;
         let sticking = (2.0 / 7.0) * reduced * speed;
         let impulse = -(sliding.min(sticking) / speed) * slip;
         outcome.first.velocity += impulse / ball_1.mass;

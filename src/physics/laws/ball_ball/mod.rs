@@ -3,10 +3,12 @@
 mod friction;
 mod frictional;
 mod frictionless;
+mod peer_cap;
 
 pub use friction::Friction;
 pub use frictional::Frictional;
 pub use frictionless::Frictionless;
+pub use peer_cap::PeerCap;
 
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
@@ -68,6 +70,8 @@ pub enum BallBallLaw {
     Frictionless(Frictionless),
     /// Impulse along the line of centres and Coulomb friction across it: throw and spin transfer.
     Frictional(Frictional),
+    /// As `Frictional` with the peer pooltool's limit of friction; for comparison only.
+    PeerCap(PeerCap),
 }
 
 impl BallBallLaw {
@@ -77,6 +81,7 @@ impl BallBallLaw {
         vec![
             Self::Frictionless(Frictionless::default()),
             Self::Frictional(Frictional::default()),
+            Self::PeerCap(PeerCap::default()),
         ]
     }
 
@@ -91,7 +96,8 @@ impl BallBallLaw {
     ) -> PairOutcome {
         let mut outcome = match self {
             Self::Frictionless(law) => law.collide(first, second, contact),
-            Self::Frictional(law) => law.collide(first, second, contact),
+            Self::Frictional(law) => law.collide(1.0, first, second, contact),
+            Self::PeerCap(law) => law.collide(first, second, contact),
         };
         if contact.on_slate {
             outcome.first.velocity.y = 0.0;
@@ -105,7 +111,7 @@ impl BallBallLaw {
     pub fn restitution(&self) -> f64 {
         match self {
             Self::Frictionless(law) => law.restitution,
-            Self::Frictional(law) => law.restitution,
+            Self::Frictional(law) | Self::PeerCap(PeerCap(law)) => law.restitution,
         }
     }
 }
@@ -115,6 +121,7 @@ impl Check for BallBallLaw {
         match self {
             Self::Frictionless(law) => law.parameters(),
             Self::Frictional(law) => law.parameters(),
+            Self::PeerCap(law) => law.parameters(),
         }
     }
 }

@@ -2,15 +2,18 @@
 
 mod han_2005;
 mod mirror;
+mod stronge_2018;
 
 pub use han_2005::Han2005;
 pub use mirror::Mirror;
+pub use stronge_2018::{Inclination, Stronge2018};
 
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 use crate::physics::ball::{Ball, State};
 use crate::physics::laws::{Check, Parameter};
+use crate::physics::table::Cushion;
 
 /// The geometry of one rebound.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,6 +42,8 @@ pub enum CushionLaw {
     Mirror(Mirror),
     /// Han's rigid impact at the height of the nose, with friction.
     Han2005(Han2005),
+    /// Stronge's compliant impact, with tangential give.
+    Stronge2018(Stronge2018),
 }
 
 impl CushionLaw {
@@ -48,6 +53,7 @@ impl CushionLaw {
         vec![
             Self::Mirror(Mirror::default()),
             Self::Han2005(Han2005::default()),
+            Self::Stronge2018(Stronge2018::default()),
         ]
     }
 
@@ -64,8 +70,9 @@ impl CushionLaw {
         let mut after = match self {
             Self::Mirror(law) => law.rebound(state, contact),
             Self::Han2005(law) if ball.spins => law.rebound(ball, state, contact),
-            Self::Han2005(law) => Mirror {
-                restitution: law.restitution,
+            Self::Stronge2018(law) if ball.spins => law.rebound(ball, state, contact),
+            Self::Han2005(_) | Self::Stronge2018(_) => Mirror {
+                restitution: self.restitution(),
             }
             .rebound(state, contact),
         };
@@ -78,6 +85,25 @@ impl CushionLaw {
             impulse: ball.mass * (after.velocity - state.velocity).dot(contact.normal),
         }
     }
+
+    /// The law's own restitution.
+    #[must_use]
+    pub fn restitution(&self) -> f64 {
+        match self {
+            Self::Mirror(law) => law.restitution,
+            Self::Han2005(law) => law.restitution,
+            Self::Stronge2018(law) => law.restitution,
+        }
+    }
+
+    /// The height in m to give to [`CushionContact`] for this stretch of cushion of a table with this nose height.
+    #[must_use]
+    pub fn nose_height(&self, height: f64, ball: &Ball, cushion: &Cushion) -> f64 {
+        match self {
+            Self::Stronge2018(law) => law.nose_height(height, ball, cushion),
+            Self::Mirror(_) | Self::Han2005(_) => height,
+        }
+    }
 }
 
 impl Check for CushionLaw {
@@ -85,6 +111,7 @@ impl Check for CushionLaw {
         match self {
             Self::Mirror(law) => law.parameters(),
             Self::Han2005(law) => law.parameters(),
+            Self::Stronge2018(law) => law.parameters(),
         }
     }
 }
