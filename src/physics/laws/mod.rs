@@ -4,6 +4,7 @@
 //! same functions. A new law is one file, one enum variant and one entry in the `all()` of its class.
 
 pub mod ball_ball;
+pub mod cluster;
 pub mod coursework;
 pub mod cue_ball;
 pub mod cushion;

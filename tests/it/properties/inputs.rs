@@ -6,7 +6,7 @@ use proptest::sample::select;
 
 use masse::physics::ball::{Ball, State};
 use masse::physics::laws::Check;
-use masse::physics::laws::ball_ball::{BallBallLaw, Friction};
+use masse::physics::laws::ball_ball::{BallBallLaw, Friction, PeerCap};
 use masse::physics::laws::coursework::Coursework;
 use masse::physics::laws::cushion::CushionLaw;
 use masse::physics::laws::motion::MotionLaw;
@@ -83,7 +83,7 @@ pub fn ball_ball_law() -> impl Strategy<Value = BallBallLaw> {
             match &mut law {
                 _ if !vary => {}
                 BallBallLaw::Frictionless(law) => law.restitution = restitution,
-                BallBallLaw::Frictional(law) => {
+                BallBallLaw::Frictional(law) | BallBallLaw::PeerCap(PeerCap(law)) => {
                     law.restitution = restitution;
                     law.friction = friction;
                 }
@@ -105,6 +105,10 @@ pub fn cushion_law() -> impl Strategy<Value = CushionLaw> {
                 _ if !vary => {}
                 CushionLaw::Mirror(law) => law.restitution = restitution,
                 CushionLaw::Han2005(law) => {
+                    law.restitution = restitution;
+                    law.friction = friction;
+                }
+                CushionLaw::Stronge2018(law) => {
                     law.restitution = restitution;
                     law.friction = friction;
                 }

@@ -1,0 +1,322 @@
+//! Generalised reflections: simultaneous impacts that keep symmetry, momentum and energy.
+//!
+//! In rounds. All contacts that close at this moment are taken together and reflected: λ are the impulses that would
+//! just stop them (see `complementarity`), and (1 + e) λ is what passes. Contacts that begin to close by that are the
+//! next round. So two balls struck at once leave as mirror images, while a blow runs through a touching row from ball
+//! to ball as in Newton's cradle. For e ≤ 1 no round adds energy. Contacts that share no ball are rounds of their own
+//! law, friction and all. Where contacts share a ball, friction of each follows its law for the impulse it
+//! transmits and the slip before the round, and is scaled back if together they would add energy.
+//!
+//! After [`ROUNDS`] rounds the rest of the closing speeds is taken out at once without rebound: inelastic collapse
+//! within the instant.
+//!
+//! Source: Smith, Kaufman, Vouga, Tamstorf & Grinspun, "Reflections on simultaneous impact", ACM Trans. Graph. 31
+//! (2012) 106; e < 1, friction and the limit of rounds are ours. Contact is instant: the spread of a blow over a row by
+//! elastic waves is not modelled.
+
+use glam::DVec3;
+
+use crate::physics::laws::Laws;
+use crate::physics::laws::ball_ball::PairContact;
+use crate::physics::laws::cluster::complementarity::Complementarity;
+use crate::physics::laws::cluster::{Against, Blow, Member, PART, STILL, Touching};
+use crate::physics::laws::cushion::CushionContact;
+
+/// Rounds of one impact before what is left is settled.
+pub const ROUNDS: usize = 48;
+
+/// A set of touching balls. Lists are kept between impacts, so that resolving one allocates nothing once warm.
+#[derive(Clone, Debug, Default)]
+pub struct Cluster {
+    /// The balls.
+    pub members: Vec<Member>,
+    /// Their contacts.
+    pub contacts: Vec<Touching>,
+    system: Complementarity,
+    active: Vec<usize>,
+    group: Vec<usize>,
+    component: Vec<usize>,
+    changes: Vec<(DVec3, DVec3)>,
+}
+
+impl Cluster {
+    /// Forgets all balls and contacts.
+    pub fn clear(&mut self) {
+        self.members.clear();
+        self.contacts.clear();
+    }
+
+    /// Speed in m/s at which a contact closes; negative if it opens.
+    #[must_use]
+    pub fn closing(&self, contact: &Touching) -> f64 {
+        let velocity = self.members[contact.first].state.velocity;
+        let other = match contact.against {
+            Against::Ball { member } => self.members[member].state.velocity,
+            Against::Cushion { .. } => DVec3::ZERO,
+        };
+        (velocity - other).dot(contact.normal)
+    }
+
+    /// Velocities after the impact, written to the members; impulses are added up in the contacts. Labels of motion are
+    /// left as they are.
+    pub fn resolve(&mut self, laws: &Laws, blow: Blow) {
+        if blow == Blow::Stroke {
+            self.component.clear();
+            for (index, contact) in self.contacts.iter().enumerate() {
+                if let Against::Ball { .. } = contact.against {
+                    self.component.push(index);
+                }
+            }
+            self.reflect(laws, &[], true, true);
+        }
+        for _ in 0..ROUNDS {
+            self.active.clear();
+            for index in 0..self.contacts.len() {
+                if self.closing(&self.contacts[index]) > STILL {
+                    self.active.push(index);
+                }
+            }
+            if self.active.is_empty() {
+                return;
+            }
+            self.round(laws);
+        }
+        self.settle(laws, &[]);
+    }
+
+    /// Ends the closing of every contact without rebound, so that contact i parts with at least `parting[i]` m/s;
+    /// an empty list is zeros.
+    pub fn settle(&mut self, laws: &Laws, parting: &[f64]) {
+        self.component.clear();
+        self.component.extend(0..self.contacts.len());
+        self.reflect(laws, parting, true, false);
+    }
+
+    /// One round over the active contacts, group by group of contacts that share balls.
+    fn round(&mut self, laws: &Laws) {
+        self.group.clear();
+        self.group.extend(0..self.members.len());
+        for &index in &self.active {
+            let contact = self.contacts[index];
+            if let Against::Ball { member } = contact.against {
+                let (one, two) = (self.group[contact.first], self.group[member]);
+                let (low, high) = (one.min(two), one.max(two));
+                for group in &mut self.group {
+                    if *group == high {
+                        *group = low;
+                    }
+                }
+            }
+        }
+        for group in 0..self.members.len() {
+            self.component.clear();
+            for &index in &self.active {
+                if self.group[self.contacts[index].first] == group {
+                    self.component.push(index);
+                }
+            }
+            match self.component.len() {
+                0 => {}
+                1 => self.single(laws, self.component[0]),
+                _ => self.reflect(laws, &[], false, true),
+            }
+        }
+    }
+
+    /// One contact on its own: its law as it stands.
+    fn single(&mut self, laws: &Laws, index: usize) {
+        let contact = self.contacts[index];
+        self.contacts[index].impulse += self.apply(laws, &contact, contact.restitution);
+    }
+
+    /// Applies the law of a contact and returns the normal impulse.
+    fn apply(&mut self, laws: &Laws, contact: &Touching, restitution: Option<f64>) -> f64 {
+        let first = self.members[contact.first];
+        match contact.against {
+            Against::Ball { member } => {
+                let second = self.members[member];
+                let geometry = PairContact {
+                    normal: contact.normal,
+                    on_slate: true,
+                    restitution,
+                };
+                let outcome = laws.ball_ball.collide(
+                    (&first.body, &first.state),
+                    (&second.body, &second.state),
+                    &geometry,
+                );
+                self.members[contact.first].state = outcome.first;
+                self.members[member].state = outcome.second;
+                outcome.impulse
+            }
+            Against::Cushion { .. } => {
+                let geometry = CushionContact {
+                    normal: -contact.normal,
+                    nose_height: contact.nose_height,
+                    restitution,
+                };
+                let rebound = laws.cushion.rebound(&first.body, &first.state, &geometry);
+                self.members[contact.first].state = rebound.state;
+                rebound.impulse
+            }
+        }
+    }
+
+    fn restitution(contact: &Touching, laws: &Laws) -> f64 {
+        contact
+            .restitution
+            .unwrap_or_else(|| match contact.against {
+                Against::Ball { .. } => laws.ball_ball.restitution(),
+                Against::Cushion { .. } => laws.cushion.restitution(),
+            })
+    }
+
+    /// Reflects the contacts of the component together.
+    fn reflect(&mut self, laws: &Laws, parting: &[f64], inelastic: bool, friction: bool) {
+        self.assemble(parting);
+        self.system.solve();
+        let before: f64 = self.energy();
+        self.changes.clear();
+        self.changes
+            .resize(self.members.len(), (DVec3::ZERO, DVec3::ZERO));
+        if friction {
+            for place in 0..self.component.len() {
+                self.rub(laws, place, inelastic);
+            }
+        }
+        for place in 0..self.component.len() {
+            let index = self.component[place];
+            let contact = self.contacts[index];
+            let bounce = if inelastic {
+                0.0
+            } else {
+                Self::restitution(&contact, laws)
+            };
+            let impulse = (1.0 + bounce) * self.system.impulse[place];
+            self.contacts[index].impulse += impulse;
+            self.push(&contact, impulse);
+        }
+        if friction {
+            self.add_friction(before);
+        }
+    }
+
+    /// Matrix and closing speeds of the component.
+    fn assemble(&mut self, parting: &[f64]) {
+        let n = self.component.len();
+        self.system.clear(n);
+        for i in 0..n {
+            let a = self.contacts[self.component[i]];
+            let parting = parting.get(self.component[i]).copied().unwrap_or(0.0);
+            self.system.closing[i] = self.closing(&a) + parting;
+            for j in 0..n {
+                let b = self.contacts[self.component[j]];
+                let along = a.normal.dot(b.normal);
+                let mut entry = 0.0;
+                for (ball_a, sign_a) in ends(&a) {
+                    for (ball_b, sign_b) in ends(&b) {
+                        if ball_a == ball_b {
+                            entry += sign_a * sign_b * along / self.members[ball_a].body.mass;
+                        }
+                    }
+                }
+                self.system.matrix[i * n + j] = entry;
+            }
+        }
+    }
+
+    /// Adds the friction of one contact to the changes: what its law does beyond the normal impulse.
+    fn rub(&mut self, laws: &Laws, place: usize, inelastic: bool) {
+        let contact = self.contacts[self.component[place]];
+        let closing = self.closing(&contact);
+        let bounce = if inelastic {
+            0.0
+        } else {
+            Self::restitution(&contact, laws)
+        };
+        let impulse = (1.0 + bounce) * self.system.impulse[place];
+        if closing <= STILL || impulse <= 0.0 {
+            return;
+        }
+        let free = closing
+            / ends(&contact)
+                .map(|(ball, _)| 1.0 / self.members[ball].body.mass)
+                .sum::<f64>();
+        // The restitution with which this contact on its own would pass the impulse that it passes now.
+        let mut alike = impulse / free - 1.0;
+        if let Against::Cushion { .. } = contact.against {
+            alike = alike.clamp(0.0, 1.0);
+        }
+        let kept: [_; 2] = std::array::from_fn(|end| {
+            ends(&contact)
+                .nth(end)
+                .map(|(ball, _)| (ball, self.members[ball].state))
+        });
+        let passed = self.apply(laws, &contact, Some(alike));
+        for (ball, old) in kept.into_iter().flatten() {
+            let sign = if ball == contact.first { -1.0 } else { 1.0 };
+            let member = &mut self.members[ball];
+            let normal = sign * passed / member.body.mass * contact.normal;
+            self.changes[ball].0 += member.state.velocity - old.velocity - normal;
+            self.changes[ball].1 += member.state.angular_velocity - old.angular_velocity;
+            member.state = old;
+        }
+    }
+
+    fn push(&mut self, contact: &Touching, impulse: f64) {
+        for (ball, sign) in ends(contact) {
+            let member = &mut self.members[ball];
+            member.state.velocity += sign * impulse / member.body.mass * contact.normal;
+        }
+    }
+
+    /// Adds the changes by friction, no more of them than leaves the energy below `before`.
+    fn add_friction(&mut self, before: f64) {
+        let normal = (self.energy() - before).min(0.0);
+        let (mut linear, mut square) = (0.0, 0.0);
+        for (member, (velocity, spin)) in self.members.iter().zip(&self.changes) {
+            let (m, i) = (member.body.mass, member.body.inertia());
+            linear += m * member.state.velocity.dot(*velocity)
+                + i * member.state.angular_velocity.dot(*spin);
+            square += 0.5 * (m * velocity.length_squared() + i * spin.length_squared());
+        }
+        let share = if normal + linear + square <= 0.0 {
+            1.0
+        } else if square > 0.0 {
+            (-linear / (2.0 * square)).clamp(0.0, 1.0)
+        } else {
+            0.0
+        };
+        for (member, (velocity, spin)) in self.members.iter_mut().zip(&self.changes) {
+            member.state.velocity += share * *velocity;
+            member.state.angular_velocity += share * *spin;
+        }
+    }
+
+    /// Kinetic energy in J of all members.
+    #[must_use]
+    pub fn energy(&self) -> f64 {
+        self.members
+            .iter()
+            .map(|member| member.body.kinetic_energy(&member.state))
+            .sum()
+    }
+
+    /// Parts the contacts that lie still or are pressed together, so that none closes: contact i with at least
+    /// `parting[i]` m/s. Contacts that open faster by themselves are left alone.
+    pub fn part(&mut self, laws: &Laws, parting: &mut [f64]) {
+        for speed in parting.iter_mut() {
+            *speed = speed.max(PART);
+        }
+        self.settle(laws, parting);
+    }
+}
+
+/// The balls of a contact with the sign of a unit impulse on them along the normal.
+fn ends(contact: &Touching) -> impl Iterator<Item = (usize, f64)> {
+    let second = match contact.against {
+        Against::Ball { member } => Some((member, 1.0)),
+        Against::Cushion { .. } => None,
+    };
+    std::iter::once((contact.first, -1.0)).chain(second)
+}
