@@ -94,13 +94,9 @@ pub fn ball_ball_law() -> impl Strategy<Value = BallBallLaw> {
 
 /// Every cushion law, with its own and with any allowed parameters.
 pub fn cushion_law() -> impl Strategy<Value = CushionLaw> {
-    (
-        select(CushionLaw::all()),
-        any::<bool>(),
-        share(1.0),
-        share(10.0),
-    )
-        .prop_map(|(mut law, vary, restitution, friction)| {
+    let numbers = (share(1.0), share(10.0), 1.01..1.99_f64);
+    (select(CushionLaw::all()), any::<bool>(), numbers).prop_map(
+        |(mut law, vary, (restitution, friction, frequency_ratio))| {
             match &mut law {
                 _ if !vary => {}
                 CushionLaw::Mirror(law) => law.restitution = restitution,
@@ -111,10 +107,12 @@ pub fn cushion_law() -> impl Strategy<Value = CushionLaw> {
                 CushionLaw::Stronge2018(law) => {
                     law.restitution = restitution;
                     law.friction = friction;
+                    law.frequency_ratio = frequency_ratio;
                 }
             }
             allowed(law)
-        })
+        },
+    )
 }
 
 /// Every motion law, with its own and with other allowed parameters.

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use serde::Deserialize;
 
 use masse::physics::ball::{Ball, Motion, State};
@@ -11,9 +11,12 @@ use masse::physics::laws::ball_ball::{
     BallBallLaw, Friction, Frictional, Frictionless, PairContact,
 };
 use masse::physics::laws::cue_ball::strike;
-use masse::physics::laws::cushion::{CushionContact, CushionLaw, Han2005, Mirror};
+use masse::physics::laws::cushion::{
+    CushionContact, CushionLaw, Han2005, Inclination, Mirror, Stronge2018,
+};
 use masse::physics::laws::motion::{Cloth, MotionLaw};
 use masse::physics::laws::slate::SlateLaw;
+use masse::physics::table::{Arc, Cushion, Line};
 
 use super::{motion, state, text, vector};
 use crate::closeness::{assert_relative, assert_vectors};
@@ -58,6 +61,28 @@ struct Marlow {
 #[derive(Deserialize)]
 struct CushionSetup {
     height: f64,
+    circular: RoundSetup,
+}
+
+#[derive(Deserialize)]
+struct RoundSetup {
+    radius: f64,
+}
+
+impl CushionSetup {
+    fn line() -> Line {
+        Line {
+            from: DVec2::NEG_X,
+            to: DVec2::X,
+        }
+    }
+
+    fn arc(&self) -> Arc {
+        Arc {
+            center: DVec2::ZERO,
+            radius: self.circular.radius,
+        }
+    }
 }
 
 #[derive(Deserialize)]
@@ -211,22 +236,33 @@ fn reference_cushions() {
                 friction: p.f_c,
             }),
         ),
+        (
+            "stronge_compliant_1.8",
+            CushionLaw::Stronge2018(Stronge2018 {
+                restitution: p.e_c,
+                friction: p.f_c,
+                frequency_ratio: 1.8,
+                inclination: Inclination::Peer,
+            }),
+        ),
     ];
     assert_eq!(tables.cushion.len(), 30);
     for (i, row) in tables.cushion.iter().enumerate() {
         let before = state(&row.before);
         // Their line lies along our x axis, their arc around our origin.
-        let away = match row.kind.as_str() {
-            "linear" => DVec3::Z * before.position.z,
-            "circular" => DVec3::new(before.position.x, 0.0, before.position.z),
+        let setup = &tables.cushion_setup;
+        let flat = DVec3::new(before.position.x, 0.0, before.position.z);
+        let (away, nose) = match row.kind.as_str() {
+            "linear" => (DVec3::Z * flat.z, Cushion::Line(CushionSetup::line())),
+            "circular" => (flat, Cushion::Arc(setup.arc())),
             other => panic!("there is no cushion of kind {other}"),
         };
-        let contact = CushionContact {
-            normal: away.normalize(),
-            nose_height: tables.cushion_setup.height,
-            restitution: None,
-        };
         for (name, law) in &laws {
+            let contact = CushionContact {
+                normal: away.normalize(),
+                nose_height: law.nose_height(setup.height, &tables.ball(), &nose),
+                restitution: None,
+            };
             let after = law.rebound(&tables.ball(), &before, &contact).state;
             let what = format!("cushion[{i}] {name}");
             assert_velocities(&what, &after, &state(&row.out[*name]));

@@ -8,7 +8,7 @@
 //! |---|---|
 //! | k < μ η² | stick, slip |
 //! | between | slip, stick, slip |
-//! | k > μ ((1 + e) βₜ − η²/e) | slip |
+//! | k > μ βₜ and k > μ ((1 + e) βₜ − η²/e) | slip |
 //!
 //! Sources: Stronge, Impact Mechanics, 2nd ed. (2018), section 5.4 (tangential compliance); as used for cushions by
 //! pooltool. Homogeneous in speed. The vertical part of the outcome is dropped; the cloth's push is not modelled.
@@ -108,7 +108,8 @@ impl Stronge2018 {
             return k;
         }
         let eta = BETA / (ratio * ratio);
-        if k > mu * ((1.0 + e) * BETA - eta / e) {
+        // Slip that ends in compression, k < μ βₜ, cannot last all the way, whatever the second bound says for e < ωₙ/ωₜ.
+        if k > mu * BETA.max((1.0 + e) * BETA - eta / e) {
             return k - mu * BETA * (1.0 + e);
         }
         let quarter = std::f64::consts::FRAC_PI_2;
@@ -141,7 +142,9 @@ impl Stronge2018 {
             stretch * libm::cos(angle) - speed / ratio * libm::sin(angle)
         };
         let excess = |t: f64| spring(t).abs() / mu - eta * libm::sin(phase(t));
-        let slip_at = crossing(excess, turn.max(start), end);
+        // Sticking that begins after the turn begins with spring and cone touching, a double root: search just behind it.
+        let after_start = start + 1e-6 * (end - start);
+        let slip_at = crossing(excess, turn.max(after_start), end);
         let angle = ratio * (slip_at - start);
         let sticking = ratio * stretch * libm::sin(angle) + speed * libm::cos(angle);
         BETA * mu * e * (1.0 + libm::cos(phase(slip_at))) - sticking
