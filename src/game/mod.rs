@@ -1,9 +1,13 @@
-//! The game without pixels: what the player aims, what the player sees of it, practice on an open table.
+//! The game without pixels: what the player aims, sees and hears of it, practice on an open table.
 
 pub mod aim;
+pub mod history;
+pub mod placing;
 pub mod practice;
 pub mod replay;
+pub mod target;
 pub mod view;
+pub mod volume;
 
 use bevy::prelude::*;
 
@@ -12,6 +16,12 @@ pub struct GamePlugin;
 
 impl Plugin for GamePlugin {
     fn build(&self, app: &mut App) {
-        app.add_plugins((aim::plugin, practice::plugin, replay::plugin, view::plugin));
+        app.add_plugins((
+            aim::plugin,
+            practice::plugin,
+            replay::plugin,
+            view::plugin,
+            volume::plugin,
+        ));
     }
 }

@@ -3,10 +3,15 @@
 //! The children never import each other. They meet in messages and resources of [`sim`](crate::sim) and
 //! [`game`](crate::game). A frame runs [`WindowSystems`] in order, with the fixed ticks between `Input` and `Present`.
 
+pub mod action;
 mod camera;
 mod display;
+mod hud;
+mod input;
 mod pace;
 mod render;
+mod shot_ui;
+mod sound;
 
 pub use display::NoDisplay;
 
@@ -15,24 +20,25 @@ use bevy::asset::AssetPlugin;
 use bevy::log::{Level, LogPlugin};
 use bevy::prelude::*;
 use bevy_egui::{EguiPlugin, EguiPrimaryContextPass};
+use leafwing_input_manager::plugin::InputManagerSystem;
 
-use crate::game::GamePlugin;
-use crate::physics::ball::Ball;
-use crate::physics::laws::Laws;
-use crate::physics::scene::{Rack, Scene};
-use crate::physics::table::Preset;
+use crate::game::{GamePlugin, practice};
+use crate::physics::scene::Scene;
 use crate::sim::SimPlugin;
 use crate::sim::playfield::lay_out;
 
 /// The order of one frame.
 #[derive(SystemSet, Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum WindowSystems {
-    /// Keys and pointer become aim, camera input and messages. Runs in [`RunFixedMainLoop`], before the fixed ticks.
+    /// Keys and pointer become aim, camera input and messages. Runs in [`PreUpdate`]: once a frame, so that no press is
+    /// lost between the fixed ticks or counted twice.
     Input,
     /// Transforms, meshes and sounds follow the simulation. Runs in [`RunFixedMainLoop`], after the fixed ticks.
     Present,
     /// Panels are laid out and read. Runs in [`EguiPrimaryContextPass`].
     Ui,
+    /// What lies over the panels: help, status. Runs in [`EguiPrimaryContextPass`].
+    Overlay,
 }
 
 /// Everything with pixels or sound, on top of [`SimPlugin`] and [`GamePlugin`].
@@ -42,14 +48,27 @@ impl Plugin for WindowPlugin {
     fn build(&self, app: &mut App) {
         app.init_schedule(EguiPrimaryContextPass)
             .configure_sets(
-                RunFixedMainLoop,
-                (
-                    WindowSystems::Input.in_set(RunFixedMainLoopSystems::BeforeFixedMainLoop),
-                    WindowSystems::Present.in_set(RunFixedMainLoopSystems::AfterFixedMainLoop),
-                ),
+                PreUpdate,
+                WindowSystems::Input.after(InputManagerSystem::ManualControl),
             )
-            .configure_sets(EguiPrimaryContextPass, WindowSystems::Ui)
-            .add_plugins((pace::plugin, camera::plugin, render::plugin));
+            .configure_sets(
+                RunFixedMainLoop,
+                WindowSystems::Present.in_set(RunFixedMainLoopSystems::AfterFixedMainLoop),
+            )
+            .configure_sets(
+                EguiPrimaryContextPass,
+                (WindowSystems::Ui, WindowSystems::Overlay).chain(),
+            )
+            .add_plugins((
+                action::plugin,
+                input::plugin,
+                pace::plugin,
+                camera::plugin,
+                render::plugin,
+                shot_ui::plugin,
+                hud::plugin,
+                sound::plugin,
+            ));
     }
 }
 
@@ -81,7 +100,7 @@ pub fn play(scene: Option<Scene>) -> Result<AppExit, NoDisplay> {
         app.add_plugins(engine()).add_plugins(windowed());
         app
     })?;
-    lay_out(app.world_mut(), &scene.unwrap_or_else(opening));
+    lay_out(app.world_mut(), &scene.unwrap_or_else(practice::opening));
     Ok(app.run())
 }
 
@@ -105,11 +124,4 @@ fn engine() -> PluginGroupBuilder {
             level: Level::WARN,
             ..default()
         })
-}
-
-/// A nine-foot table with fifteen balls racked.
-fn opening() -> Scene {
-    let mut scene = Scene::new(Preset::NineFoot.table(), Laws::default());
-    Rack::EightBall.place(&mut scene, Ball::POOL, 0.0, 1);
-    scene
 }

@@ -5,14 +5,11 @@ use std::time::Duration;
 use bevy::prelude::*;
 
 use crate::sim::clock::Clock;
-use crate::window::WindowSystems;
 
 pub(super) fn plugin(app: &mut App) {
     app.add_systems(
         RunFixedMainLoop,
-        keep_pace
-            .before(WindowSystems::Input)
-            .before(RunFixedMainLoopSystems::FixedMainLoop),
+        keep_pace.in_set(RunFixedMainLoopSystems::BeforeFixedMainLoop),
     );
 }
 

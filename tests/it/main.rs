@@ -3,8 +3,11 @@
 
 mod architecture;
 mod closeness;
+#[cfg(feature = "window")]
+mod controls;
 mod frames;
 mod judges;
+mod practice;
 mod properties;
 mod reference;
 mod schedules;

@@ -1,0 +1,61 @@
+//! What lies over the picture: a line of status, notices, the help with every key.
+
+mod help;
+mod notice;
+mod status;
+
+use bevy::prelude::*;
+use bevy_egui::EguiPrimaryContextPass;
+use bevy_egui::input::EguiWantsInput;
+use leafwing_input_manager::prelude::ActionState;
+
+use crate::game::practice::Practice;
+use crate::window::WindowSystems;
+use crate::window::action::Action;
+
+/// Whether the help is open.
+#[derive(Resource, Debug, Default)]
+struct Help {
+    open: bool,
+}
+
+pub(super) fn plugin(app: &mut App) {
+    app.init_resource::<Help>()
+        .init_resource::<notice::Notices>()
+        .add_systems(Startup, notice::welcome)
+        .add_systems(Update, (notice::listen, keys).chain())
+        .add_systems(
+            EguiPrimaryContextPass,
+            (status::show, notice::show, help::show)
+                .chain()
+                .in_set(WindowSystems::Overlay),
+        );
+}
+
+/// Opens the help; closes what is open; quits when asked twice.
+fn keys(
+    actions: Single<&ActionState<Action>>,
+    egui: Res<EguiWantsInput>,
+    time: Res<Time<Real>>,
+    mut help: ResMut<Help>,
+    mut practice: ResMut<Practice>,
+    mut notices: ResMut<notice::Notices>,
+    mut quit: MessageWriter<AppExit>,
+) {
+    if egui.wants_any_keyboard_input() {
+        return;
+    }
+    if actions.just_pressed(&Action::Help) {
+        help.open = !help.open;
+    }
+    if !actions.just_pressed(&Action::Close) {
+        return;
+    }
+    if help.open {
+        help.open = false;
+    } else if practice.placing {
+        practice.placing = false;
+    } else if notices.quits(time.elapsed()) {
+        quit.write(AppExit::Success);
+    }
+}

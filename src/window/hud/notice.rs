@@ -1,0 +1,102 @@
+//! Notices: they come up in the middle below, stay a while and go.
+
+use std::time::Duration;
+
+use bevy::prelude::*;
+use bevy_egui::{EguiContexts, egui};
+
+use crate::sim::messages::Failed;
+
+/// How long a notice stays.
+const STAY: Duration = Duration::from_secs(8);
+/// Within which a second press quits.
+const TWICE: Duration = Duration::from_secs(3);
+/// Notices shown at once.
+const SHOWN: usize = 3;
+
+/// What the player is told.
+#[derive(Resource, Debug, Default)]
+pub(super) struct Notices {
+    /// Text, whether it tells of a failure, and until when it stays.
+    list: Vec<(String, bool, Duration)>,
+    /// Until when another press quits.
+    quit_until: Duration,
+}
+
+impl Notices {
+    fn tell(&mut self, text: String, is_failure: bool, until: Duration) {
+        self.list.retain(|(old, ..)| *old != text);
+        self.list.push((text, is_failure, until));
+        if self.list.len() > SHOWN {
+            self.list.remove(0);
+        }
+    }
+
+    /// Whether this press of the key quits; the first one only asks.
+    pub(super) fn quits(&mut self, now: Duration) -> bool {
+        if now < self.quit_until {
+            return true;
+        }
+        self.quit_until = now + TWICE;
+        self.tell("Press Esc again to quit.".to_owned(), false, now + TWICE);
+        false
+    }
+}
+
+/// Tells a new player how to begin.
+pub(super) fn welcome(mut notices: ResMut<Notices>) {
+    let text = "Drag to aim, wheel for power, Space to strike. H shows every key.";
+    notices.tell(text.to_owned(), false, 2 * STAY);
+}
+
+/// Tells of a shot that could not be followed, and forgets what is old.
+pub(super) fn listen(
+    mut failed: MessageReader<Failed>,
+    time: Res<Time<Real>>,
+    mut notices: ResMut<Notices>,
+) {
+    for failure in failed.read() {
+        let text = format!(
+            "The solver stopped at {:.4} s, ball number {}: {}. R takes you back to before the shot.",
+            failure.time, failure.ball, failure.reason
+        );
+        notices.tell(text, true, time.elapsed() + STAY);
+    }
+    let now = time.elapsed();
+    if notices.list.iter().any(|(.., until)| *until < now) {
+        notices.list.retain(|(.., until)| *until >= now);
+    }
+}
+
+/// Lays out the notices; a click takes one away.
+pub(super) fn show(mut contexts: EguiContexts, mut notices: ResMut<Notices>) -> Result {
+    if notices.list.is_empty() {
+        return Ok(());
+    }
+    let context = contexts.ctx_mut()?;
+    let mut gone = None;
+    egui::Area::new(egui::Id::new("notices"))
+        .anchor(egui::Align2::CENTER_BOTTOM, egui::vec2(0.0, -44.0))
+        .show(context, |ui| {
+            for (i, (text, is_failure, _)) in notices.list.iter().enumerate() {
+                let color = if *is_failure {
+                    ui.visuals().error_fg_color
+                } else {
+                    ui.visuals().strong_text_color()
+                };
+                let shown = egui::Frame::popup(ui.style()).show(ui, |ui| {
+                    ui.add(
+                        egui::Label::new(egui::RichText::new(text).color(color))
+                            .sense(egui::Sense::click()),
+                    )
+                });
+                if shown.inner.clicked() {
+                    gone = Some(i);
+                }
+            }
+        });
+    if let Some(i) = gone {
+        notices.list.remove(i);
+    }
+    Ok(())
+}

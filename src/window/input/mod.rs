@@ -1,0 +1,68 @@
+//! Keys and pointer become aim, camera input, strokes and practice commands.
+//!
+//! Keys are left alone while somebody types into a panel, and a drag that begins on a panel never reaches the table.
+
+mod drag;
+mod keys;
+mod stroke;
+mod table;
+mod view;
+
+use bevy::prelude::*;
+use bevy_egui::input::{EguiWantsInput, egui_wants_any_keyboard_input};
+use leafwing_input_manager::prelude::ActionState;
+
+use crate::window::WindowSystems;
+use crate::window::action::Action;
+
+/// What the player holds down.
+type Actions<'w, 's> = Single<'w, 's, &'static ActionState<Action>>;
+
+pub(super) fn plugin(app: &mut App) {
+    app.init_resource::<drag::Grip>()
+        .init_resource::<stroke::Cueing>()
+        .add_systems(
+            PreUpdate,
+            (
+                (
+                    table::command,
+                    view::switch,
+                    keys::aim,
+                    stroke::ask.run_if(not_stroking),
+                )
+                    .chain()
+                    .run_if(not(egui_wants_any_keyboard_input)),
+                drag::grip,
+                drag::wheel,
+                drag::aim,
+                drag::place,
+                drag::look,
+                view::fast_forward,
+                stroke::by_hand,
+                stroke::swing,
+            )
+                .chain()
+                .in_set(WindowSystems::Input),
+        );
+}
+
+fn not_stroking(cueing: Res<stroke::Cueing>) -> bool {
+    cueing.is_idle()
+}
+
+/// Whether the pointer belongs to a panel.
+fn on_panel(egui: &EguiWantsInput) -> bool {
+    egui.wants_any_pointer_input()
+}
+
+/// How much finer than usual the player wants to be: 1, 0.1, 0.01 or 0.001.
+fn fineness(actions: &ActionState<Action>) -> f64 {
+    let factor = |action, factor| {
+        if actions.pressed(&action) {
+            factor
+        } else {
+            1.0
+        }
+    };
+    factor(Action::Fine, 0.1) * factor(Action::VeryFine, 0.01)
+}

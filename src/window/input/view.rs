@@ -1,0 +1,64 @@
+//! Keys that change what is seen, and how fast.
+
+use bevy::prelude::*;
+
+use super::Actions;
+use crate::game::view::{CameraInput, CameraMode, View};
+use crate::sim::clock::Clock;
+use crate::window::action::Action;
+
+/// How much faster than life a held key plays.
+const FAST: f32 = 8.0;
+/// Powers of e by which a held key zooms in a second.
+const ZOOM_RATE: f32 = 1.2;
+
+/// Cameras, guides, trails, zoom.
+pub(super) fn switch(
+    actions: Actions,
+    time: Res<Time<Real>>,
+    mut view: ResMut<View>,
+    mut camera: MessageWriter<CameraInput>,
+    mut before: Local<CameraMode>,
+) {
+    if actions.just_pressed(&Action::Camera) {
+        view.camera = match view.camera {
+            CameraMode::BehindCue => CameraMode::Overhead,
+            CameraMode::Overhead => CameraMode::Orbit,
+            CameraMode::Orbit => CameraMode::BehindCue,
+        };
+    }
+    if actions.just_pressed(&Action::Overhead) {
+        if view.camera == CameraMode::Overhead {
+            view.camera = *before;
+        } else {
+            *before = view.camera;
+            view.camera = CameraMode::Overhead;
+        }
+    }
+    if actions.just_pressed(&Action::Guides) {
+        view.guides = !view.guides;
+    }
+    if actions.just_pressed(&Action::Trails) {
+        view.trails = !view.trails;
+    }
+    for (action, sign) in [(Action::ZoomIn, 1.0), (Action::ZoomOut, -1.0)] {
+        if actions.pressed(&action) {
+            camera.write(CameraInput {
+                zoom: sign * ZOOM_RATE * time.delta_secs(),
+                ..default()
+            });
+        }
+    }
+}
+
+/// Makes dead time short: while the key is held and balls move, the table runs faster. Ticks stay as long as they are.
+pub(super) fn fast_forward(actions: Actions, clock: Res<Clock>, mut time: ResMut<Time<Virtual>>) {
+    let speed = if actions.pressed(&Action::FastForward) && clock.moving {
+        FAST
+    } else {
+        1.0
+    };
+    if time.relative_speed().to_bits() != speed.to_bits() {
+        time.set_relative_speed(speed);
+    }
+}

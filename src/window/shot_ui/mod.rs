@@ -1,0 +1,107 @@
+//! The shot panel: every number of the shot, the cue ball to click on, the table, the laws and the solver.
+//!
+//! It reads and writes resources of [`sim`](crate::sim) and [`game`](crate::game) and asks for everything else by messages,
+//! so the game can be played with the mouse alone.
+
+mod cue_ball;
+mod last;
+mod model;
+mod numbers;
+mod table;
+
+use bevy::ecs::system::SystemParam;
+use bevy::prelude::*;
+use bevy_egui::input::egui_wants_any_keyboard_input;
+use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
+use leafwing_input_manager::prelude::ActionState;
+
+use crate::game::aim::{Aim, Swing};
+use crate::game::practice::{Practice, PracticeCommand};
+use crate::game::view::View;
+use crate::game::volume::Volume;
+use crate::sim::clock::Clock;
+use crate::sim::playfield::{BallQuery, Playfield};
+use crate::sim::recorder::Recorder;
+use crate::window::WindowSystems;
+use crate::window::action::Action;
+
+/// Whether the panel is open, and how it is set up.
+#[derive(Resource, Debug)]
+struct ShotPanel {
+    open: bool,
+    /// What a step button changes: 1, 0.1, 0.01 or 0.001 of a coarse step.
+    step: f64,
+}
+
+pub(super) fn plugin(app: &mut App) {
+    app.insert_resource(ShotPanel {
+        open: true,
+        step: 1.0,
+    })
+    .add_systems(
+        PreUpdate,
+        toggle
+            .in_set(WindowSystems::Input)
+            .run_if(not(egui_wants_any_keyboard_input)),
+    )
+    .add_systems(EguiPrimaryContextPass, show.in_set(WindowSystems::Ui));
+}
+
+/// Everything the panel shows and changes.
+#[derive(SystemParam)]
+struct Desk<'w, 's> {
+    panel: ResMut<'w, ShotPanel>,
+    aim: ResMut<'w, Aim>,
+    practice: ResMut<'w, Practice>,
+    view: ResMut<'w, View>,
+    volume: ResMut<'w, Volume>,
+    playfield: ResMut<'w, Playfield>,
+    clock: Res<'w, Clock>,
+    recorder: Res<'w, Recorder>,
+    balls: BallQuery<'w, 's>,
+    swings: MessageWriter<'w, Swing>,
+    commands: MessageWriter<'w, PracticeCommand>,
+}
+
+fn toggle(actions: Single<&ActionState<Action>>, mut panel: ResMut<ShotPanel>) {
+    if actions.just_pressed(&Action::Panel) {
+        panel.open = !panel.open;
+    }
+}
+
+/// Lays out the panel, or the button that brings it back.
+fn show(mut contexts: EguiContexts, mut desk: Desk) -> Result {
+    let context = contexts.ctx_mut()?;
+    let margin = egui::vec2(-8.0, 8.0);
+    if !desk.panel.open {
+        egui::Area::new(egui::Id::new("shot panel button"))
+            .anchor(egui::Align2::RIGHT_TOP, margin)
+            .show(context, |ui| {
+                if ui.button("Shot").clicked() {
+                    desk.panel.open = true;
+                }
+            });
+        return Ok(());
+    }
+    let mut open = true;
+    let height = context.content_rect().height();
+    egui::Window::new("Shot")
+        .open(&mut open)
+        .default_pos(context.content_rect().right_top() + egui::vec2(-318.0, 8.0))
+        .default_width(300.0)
+        .default_height(height - 60.0)
+        .resizable([false, true])
+        .vscroll(true)
+        .show(context, |ui| {
+            numbers::show(ui, &mut desk);
+            ui.separator();
+            table::show(ui, &mut desk);
+            ui.separator();
+            ui.collapsing("Last shot", |ui| last::show(ui, &desk));
+            ui.collapsing("Laws and solver", |ui| model::show(ui, &mut desk));
+        });
+    if !open {
+        desk.panel.open = false;
+    }
+    Ok(())
+}

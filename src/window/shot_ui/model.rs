@@ -1,0 +1,147 @@
+//! Which laws hold and who solves them.
+
+use bevy_egui::egui;
+
+use super::Desk;
+use crate::physics::laws::Laws;
+use crate::physics::laws::ball_ball::BallBallLaw;
+use crate::physics::laws::cushion::CushionLaw;
+use crate::physics::laws::motion::MotionLaw;
+use crate::physics::scene::{Solver, Stepped};
+
+/// Grids on offer, cells along x and z; `None` tests every pair.
+const GRIDS: [Option<(u32, u32)>; 3] = [None, Some((20, 20)), Some((50, 50))];
+
+/// Lays out the choices. They can be changed while nothing moves.
+pub(super) fn show(ui: &mut egui::Ui, desk: &mut Desk) {
+    let mut laws = desk.playfield.laws;
+    let mut solver = desk.playfield.solver;
+    ui.add_enabled_ui(!desk.clock.moving, |ui| {
+        laws_of(ui, &mut laws);
+        ui.separator();
+        solver_of(ui, &mut solver, &laws);
+    });
+    // The coursework model has no closed form, so only the stepped solver can play it.
+    if !laws.motion.is_closed_form() && solver == Solver::Exact {
+        solver = Solver::Stepped(Stepped::default());
+    }
+    if laws != desk.playfield.laws || solver != desk.playfield.solver {
+        desk.playfield.laws = laws;
+        desk.playfield.solver = solver;
+    }
+}
+
+fn laws_of(ui: &mut egui::Ui, laws: &mut Laws) {
+    ui.horizontal(|ui| {
+        for (preset, name) in [
+            (Laws::default(), "Pool"),
+            (Laws::ideal(), "Ideal"),
+            (Laws::coursework(), "Coursework"),
+        ] {
+            if ui.selectable_label(*laws == preset, name).clicked() {
+                *laws = preset;
+            }
+        }
+    });
+    egui::Grid::new("laws").num_columns(2).show(ui, |ui| {
+        choice(
+            ui,
+            "Friction",
+            &mut laws.motion,
+            MotionLaw::all(),
+            |law| match law {
+                MotionLaw::Frictionless => "none",
+                MotionLaw::Coulomb(_) => "Coulomb cloth",
+                MotionLaw::Coursework(_) => "coursework",
+            },
+        );
+        choice(
+            ui,
+            "Balls",
+            &mut laws.ball_ball,
+            BallBallLaw::all(),
+            |law| match law {
+                BallBallLaw::Frictionless(_) => "smooth",
+                BallBallLaw::Frictional(_) => "rough: throw",
+            },
+        );
+        choice(
+            ui,
+            "Cushions",
+            &mut laws.cushion,
+            CushionLaw::all(),
+            |law| match law {
+                CushionLaw::Mirror(_) => "mirror",
+                CushionLaw::Han2005(_) => "Han 2005",
+            },
+        );
+    });
+}
+
+/// A box with one entry for each law of a class. Another law comes with its default parameters.
+fn choice<L: Copy>(
+    ui: &mut egui::Ui,
+    label: &str,
+    law: &mut L,
+    all: Vec<L>,
+    name: fn(&L) -> &'static str,
+) {
+    ui.label(label);
+    let present = name(law);
+    egui::ComboBox::from_id_salt(label)
+        .selected_text(present)
+        .show_ui(ui, |ui| {
+            for other in all {
+                let is_present = name(&other) == present;
+                if ui.selectable_label(is_present, name(&other)).clicked() && !is_present {
+                    *law = other;
+                }
+            }
+        });
+    ui.end_row();
+}
+
+fn solver_of(ui: &mut egui::Ui, solver: &mut Solver, laws: &Laws) {
+    ui.horizontal(|ui| {
+        ui.label("Solver");
+        let is_exact = *solver == Solver::Exact;
+        if ui.selectable_label(!is_exact, "stepped").clicked() && is_exact {
+            *solver = Solver::Stepped(Stepped::default());
+        }
+        let exact = ui.add_enabled(
+            laws.motion.is_closed_form(),
+            egui::Button::selectable(is_exact, "exact"),
+        );
+        if exact.clicked() {
+            *solver = Solver::Exact;
+        }
+    });
+    let Solver::Stepped(stepped) = solver else {
+        return;
+    };
+    ui.horizontal(|ui| {
+        ui.label("Ticks");
+        let mut rate = 1.0 / stepped.tick;
+        let drag = egui::DragValue::new(&mut rate)
+            .range(10.0..=2000.0)
+            .speed(1.0)
+            .max_decimals(3)
+            .suffix(" /s");
+        if ui.add(drag).changed() && rate > 0.0 {
+            stepped.tick = 1.0 / rate;
+        }
+    });
+    ui.horizontal(|ui| {
+        ui.label("Grid");
+        for grid in GRIDS {
+            let name = grid.map_or("none".to_owned(), |(x, z)| format!("{x} × {z}"));
+            ui.selectable_value(&mut stepped.grid, grid, name);
+        }
+        if let Some((x, z)) = &mut stepped.grid {
+            for cells in [x, z] {
+                ui.add(egui::DragValue::new(cells).range(1..=500));
+            }
+        }
+    });
+    ui.checkbox(&mut stepped.locate, "locate contacts inside the tick");
+}

@@ -1,0 +1,114 @@
+//! The sounds: a short push, as long as the bodies touch, that rings a few modes.
+
+use std::io::Cursor;
+use std::time::Duration;
+
+use fundsp::prelude64::{
+    An, AudioNode, AudioUnit, U0, U1, Wave, delay, impulse, lowpass_hz, pass, resonator_hz,
+};
+use hound::{SampleFormat, WavSpec, WavWriter};
+
+/// Samples per second.
+const RATE: u32 = 44_100;
+/// Length of every sound.
+pub(super) const LENGTH: Duration = Duration::from_millis(400);
+/// How many hardnesses of a hit there are: soft, medium, hard.
+pub(super) const HARDNESSES: usize = 3;
+/// Loudest sample, of 1.
+const PEAK: f32 = 0.9;
+
+/// What hits what.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Sound {
+    /// Leather tip on ball.
+    Tip,
+    /// Ball on ball.
+    Balls,
+    /// Ball on rubber.
+    Cushion,
+    /// Ball into pocket.
+    Pocket,
+}
+
+impl Sound {
+    pub(super) const ALL: [Self; 4] = [Self::Tip, Self::Balls, Self::Cushion, Self::Pocket];
+
+    /// The sound as a source without inputs. A harder hit is shorter, so it rings higher modes: `edge` in Hz is where the
+    /// push runs out of force.
+    fn source(self, hardness: usize) -> Box<dyn AudioUnit> {
+        let harder = [0.5, 1.0, 1.8][hardness.min(HARDNESSES - 1)];
+        let push = |edge: f32| push(harder * edge);
+        match self {
+            Self::Tip => Box::new(
+                push(1200.0)
+                    >> (mode(1.0, 620.0, 90.0)
+                        & mode(0.7, 1340.0, 140.0)
+                        & mode(0.3, 2900.0, 260.0)),
+            ),
+            Self::Balls => Box::new(
+                push(4500.0)
+                    >> (mode(0.6, 2350.0, 130.0)
+                        & mode(1.0, 4650.0, 180.0)
+                        & mode(0.6, 7300.0, 260.0)),
+            ),
+            Self::Cushion => Box::new(
+                push(300.0)
+                    >> (mode(1.0, 96.0, 16.0) & mode(0.8, 187.0, 24.0) & mode(0.4, 415.0, 60.0)),
+            ),
+            // The ball knocks twice: at the back of the pocket, then at the bottom.
+            Self::Pocket => {
+                let second_knock = 0.6 * delay(0.085);
+                Box::new(
+                    push(700.0)
+                        >> (pass() & second_knock)
+                        >> (mode(1.0, 140.0, 16.0)
+                            & mode(0.8, 330.0, 34.0)
+                            & mode(0.4, 790.0, 80.0)),
+                )
+            }
+        }
+    }
+}
+
+/// The force of a hit: one pulse without anything above `edge` in Hz.
+fn push(edge: f32) -> An<impl AudioNode<Inputs = U0, Outputs = U1>> {
+    impulse::<U1>() >> lowpass_hz(edge, 0.7)
+}
+
+/// A mode that rings at this frequency in Hz and dies away the faster the wider its band in Hz is.
+fn mode(loudness: f32, frequency: f32, band: f32) -> An<impl AudioNode<Inputs = U1, Outputs = U1>> {
+    loudness * resonator_hz(frequency, band)
+}
+
+/// The sound at one of [`HARDNESSES`] as a WAV file in memory.
+///
+/// # Errors
+/// [`hound::Error`] if the samples cannot be written.
+pub(super) fn wav(sound: Sound, hardness: usize) -> Result<Vec<u8>, hound::Error> {
+    let mut source = sound.source(hardness);
+    let wave = Wave::render(f64::from(RATE), LENGTH.as_secs_f64(), &mut *source);
+    let loudest = wave.amplitude().max(f32::MIN_POSITIVE);
+    let mut bytes = Cursor::new(Vec::new());
+    let mut writer = WavWriter::new(
+        &mut bytes,
+        WavSpec {
+            channels: 1,
+            sample_rate: RATE,
+            bits_per_sample: 16,
+            sample_format: SampleFormat::Int,
+        },
+    )?;
+    for i in 0..wave.length() {
+        writer.write_sample(sample(wave.at(0, i) / loudest))?;
+    }
+    writer.finalize()?;
+    Ok(bytes.into_inner())
+}
+
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "rounded to the 16 bits of the file"
+)]
+fn sample(value: f32) -> i16 {
+    (value * PEAK * f32::from(i16::MAX)).round() as i16
+}
