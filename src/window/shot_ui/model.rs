@@ -44,61 +44,34 @@ fn laws_of(ui: &mut egui::Ui, laws: &mut Laws) {
         }
     });
     egui::Grid::new("laws").num_columns(2).show(ui, |ui| {
-        choice(
-            ui,
-            "Friction",
-            &mut laws.motion,
-            MotionLaw::all(),
-            |law| match law {
-                MotionLaw::Frictionless => "none",
-                MotionLaw::Coulomb(_) => "Coulomb cloth",
-                MotionLaw::Coursework(_) => "coursework",
-            },
-        );
-        choice(
-            ui,
-            "Balls",
-            &mut laws.ball_ball,
-            BallBallLaw::all(),
-            |law| match law {
-                BallBallLaw::Frictionless(_) => "smooth",
-                BallBallLaw::Frictional(_) => "rough: throw",
-            },
-        );
-        choice(
-            ui,
-            "Cushions",
-            &mut laws.cushion,
-            CushionLaw::all(),
-            |law| match law {
-                CushionLaw::Mirror(_) => "mirror",
-                CushionLaw::Han2005(_) => "Han 2005",
-            },
-        );
+        choice(ui, "Friction", &mut laws.motion, MotionLaw::all());
+        choice(ui, "Balls", &mut laws.ball_ball, BallBallLaw::all());
+        choice(ui, "Cushions", &mut laws.cushion, CushionLaw::all());
     });
 }
 
-/// A box with one entry for each law of a class. Another law comes with its default parameters.
-fn choice<L: Copy>(
-    ui: &mut egui::Ui,
-    label: &str,
-    law: &mut L,
-    all: Vec<L>,
-    name: fn(&L) -> &'static str,
-) {
+/// A box with one entry for each registered law of a class. Another law comes with its default parameters.
+fn choice<L: Copy + std::fmt::Debug>(ui: &mut egui::Ui, label: &str, law: &mut L, all: Vec<L>) {
     ui.label(label);
     let present = name(law);
     egui::ComboBox::from_id_salt(label)
-        .selected_text(present)
+        .selected_text(&present)
         .show_ui(ui, |ui| {
             for other in all {
-                let is_present = name(&other) == present;
-                if ui.selectable_label(is_present, name(&other)).clicked() && !is_present {
+                let other_name = name(&other);
+                let is_present = other_name == present;
+                if ui.selectable_label(is_present, other_name).clicked() && !is_present {
                     *law = other;
                 }
             }
         });
     ui.end_row();
+}
+
+/// The name of a law without its parameters.
+fn name(law: &impl std::fmt::Debug) -> String {
+    let all = format!("{law:?}");
+    all.split('(').next().unwrap_or_default().to_owned()
 }
 
 fn solver_of(ui: &mut egui::Ui, solver: &mut Solver, laws: &Laws) {
