@@ -190,6 +190,9 @@ impl Polynomial {
             let slope = self.slope(guess);
             if guess < b && slope < 0.0 {
                 let next = guess - self.value(guess) / slope;
+                if next >= b {
+                    return Ok(None);
+                }
                 if next > a {
                     let value = self.value(next);
                     if value <= 0.0 {

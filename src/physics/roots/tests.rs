@@ -237,3 +237,19 @@ proptest::proptest! {
         }
     }
 }
+
+#[test]
+fn a_guess_beyond_its_stretch_is_not_a_root() {
+    // Found by the property above.
+    let c = [
+        -0.041_958_588_372_853_135,
+        0.729_559_205_722_966,
+        -2.442_350_160_093_747,
+        2.869_224_308_531_267,
+        -1.0,
+    ];
+    let time = quartic::first_closing(c, 0.0, 2.0)
+        .expect("finite")
+        .expect("it falls");
+    assert!((time - 1.644_246_141_748_179).abs() < 1e-12, "{time}");
+}

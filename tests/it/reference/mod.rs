@@ -2,6 +2,7 @@
 //! variable `MASSE_REFERENCE` names.
 
 mod single_laws;
+mod whole_shots;
 
 use std::path::PathBuf;
 

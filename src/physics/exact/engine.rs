@@ -1,0 +1,377 @@
+//! The table in motion.
+
+use crate::physics::ball::{Ball, Motion, State};
+use crate::physics::contact::Track;
+use crate::physics::cue::{Cue, Shot};
+use crate::physics::exact::cells::Cells;
+use crate::physics::exact::predict::{Next, Partner};
+use crate::physics::exact::queue::Queue;
+use crate::physics::exact::walls::Walls;
+use crate::physics::exact::{CONTACT_TIME, Contact, Limits, SolveError, Watch};
+use crate::physics::laws::Laws;
+use crate::physics::laws::cluster::Cluster;
+use crate::physics::record::{Event, EventKind, Participant, PathPiece};
+use crate::physics::scene::{Scene, strike_with};
+use crate::physics::table::Table;
+
+/// From this many balls on neighbours are found by cells.
+const MANY: usize = 40;
+
+/// From this many cushions and pockets on they are found by cells.
+const MANY_WALLS: usize = 120;
+
+/// What the search for contacts needs of a ball, packed.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Flight {
+    pub(super) track: Track,
+    pub(super) since: f64,
+    pub(super) until: f64,
+    pub(super) radius: f64,
+    pub(super) moves: bool,
+    pub(super) in_play: bool,
+}
+
+impl Flight {
+    fn new(body: &Ball, path: &PathPiece) -> Self {
+        let start = &path.piece.start;
+        Self {
+            track: Track {
+                position: start.position,
+                velocity: start.velocity,
+                acceleration: path.piece.acceleration,
+            },
+            since: path.time,
+            until: path.time + path.piece.duration,
+            radius: body.radius,
+            moves: start.motion.translates(),
+            in_play: start.motion.in_play(),
+        }
+    }
+
+    /// The path seen from now: the same numbers as [`Track::of`] the piece.
+    pub(super) fn seen(&self, now: f64) -> Track {
+        if !self.moves {
+            return self.track;
+        }
+        let age = now - self.since;
+        let Track {
+            position,
+            velocity,
+            acceleration,
+        } = self.track;
+        Track {
+            position: position + age * (velocity + (0.5 * age) * acceleration),
+            velocity: velocity + age * acceleration,
+            acceleration,
+        }
+    }
+}
+
+/// The last things that a ball touched, newest first.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Touched {
+    pub(super) what: [Partner; 4],
+    pub(super) time: [f64; 4],
+}
+
+impl Touched {
+    pub(super) const NOTHING: Self = Self {
+        what: [Partner::Nothing; 4],
+        time: [f64::NEG_INFINITY; 4],
+    };
+
+    pub(super) fn add(&mut self, what: Partner, time: f64) {
+        let place = self.what.iter().position(|old| *old == what).unwrap_or(3);
+        self.what[..=place].rotate_right(1);
+        self.time[..=place].rotate_right(1);
+        self.what[0] = what;
+        self.time[0] = time;
+    }
+
+    pub(super) fn last(&self, what: Partner) -> f64 {
+        let place = self.what.iter().position(|old| *old == what);
+        place.map_or(f64::NEG_INFINITY, |place| self.time[place])
+    }
+}
+
+/// A table in motion: advanced by any amount of time, asked for any state, struck, saved and restored, always with the
+/// same bits.
+///
+/// Its clock starts at 0, and again at 0 with each stroke at a table at rest, so that a shot on a live table has the bits
+/// of the same shot solved from its scene.
+#[derive(Clone, Debug)]
+pub struct Engine {
+    pub(super) table: Table,
+    pub(super) laws: Laws,
+    pub(super) names: Vec<String>,
+    pub(super) bodies: Vec<Ball>,
+    pub(super) paths: Vec<PathPiece>,
+    pub(super) flights: Vec<Flight>,
+    pub(super) next: Vec<Next>,
+    pub(super) counts: Vec<u32>,
+    pub(super) touched: Vec<Touched>,
+    pub(super) walls: Walls,
+    pub(super) cells: Option<Cells>,
+    pub(super) queue: Queue,
+    pub(super) clock: f64,
+    pub(super) last: f64,
+    pub(super) happened: u64,
+    pub(super) limits: Limits,
+    pub(super) cluster: Cluster,
+    pub(super) before: Vec<State>,
+    pub(super) parting: Vec<f64>,
+}
+
+impl Engine {
+    /// The balls of a scene at time 0, before its shot.
+    ///
+    /// # Errors
+    /// [`SolveError`] if the laws have no closed form or a number is not finite. Overlaps are found when they matter;
+    /// [`Scene::check`] finds them before.
+    pub fn new(scene: &Scene, limits: Limits) -> Result<Self, SolveError> {
+        let mut engine = Self::unpredicted(scene, limits)?;
+        for ball in 0..engine.count() {
+            engine.predict(ball)?;
+        }
+        Ok(engine)
+    }
+
+    /// Everything but the next events.
+    pub(super) fn unpredicted(scene: &Scene, limits: Limits) -> Result<Self, SolveError> {
+        if !scene.laws.motion.is_closed_form() {
+            return Err(SolveError::NotClosedForm);
+        }
+        let count = scene.balls.len();
+        let radius = scene
+            .balls
+            .iter()
+            .fold(0.0_f64, |most, ball| most.max(ball.ball.radius));
+        let walls = Walls::new(&scene.table, radius);
+        let cells = (count >= MANY || walls.list.len() >= MANY_WALLS)
+            .then(|| Cells::new(&scene.table, &walls, count, 2.0 * radius));
+        let mut engine = Self {
+            table: scene.table.clone(),
+            laws: scene.laws,
+            names: scene.balls.iter().map(|ball| ball.name.clone()).collect(),
+            bodies: scene.balls.iter().map(|ball| ball.ball).collect(),
+            paths: Vec::with_capacity(count),
+            flights: Vec::with_capacity(count),
+            next: vec![Next::NEVER; count],
+            counts: vec![0; count],
+            touched: vec![Touched::NOTHING; count],
+            walls,
+            cells,
+            queue: Queue::new(count),
+            clock: 0.0,
+            last: 0.0,
+            happened: 0,
+            limits,
+            cluster: Cluster::default(),
+            before: Vec::new(),
+            parting: Vec::new(),
+        };
+        for (index, ball) in scene.balls.iter().enumerate() {
+            let state = scene.laws.motion.classify(&ball.ball, ball.state);
+            if !state.is_finite() {
+                return Err(engine.not_finite(index, state));
+            }
+            let path = PathPiece {
+                time: 0.0,
+                piece: scene.laws.motion.piece(&ball.ball, &state),
+            };
+            engine.paths.push(path);
+            engine.flights.push(Flight::new(&ball.ball, &path));
+            if state.motion.in_play() {
+                engine.enter_cell(index);
+            }
+        }
+        Ok(engine)
+    }
+
+    pub(super) fn enter_cell(&mut self, ball: usize) {
+        if let Some(cells) = &mut self.cells {
+            let position = self.flights[ball].track.position;
+            let cell = cells.at(glam::DVec2::new(position.x, position.z));
+            cells.insert(ball as u32, cell);
+        }
+    }
+
+    pub(super) fn not_finite(&self, ball: usize, state: State) -> SolveError {
+        SolveError::NotFinite {
+            ball: self.names[ball].clone(),
+            time: self.clock,
+            state,
+        }
+    }
+
+    /// Number of balls.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.bodies.len()
+    }
+
+    /// Seconds since the start of the scene, or since the last stroke at a table at rest.
+    #[must_use]
+    pub fn time(&self) -> f64 {
+        self.clock
+    }
+
+    /// Time in s of the last event.
+    #[must_use]
+    pub fn last_event_time(&self) -> f64 {
+        self.last
+    }
+
+    /// Number of events since the start, changes of motion among them.
+    #[must_use]
+    pub fn events(&self) -> u64 {
+        self.happened
+    }
+
+    /// A time in s before which nothing happens; `None` if nothing ever will.
+    #[must_use]
+    pub fn next_time(&self) -> Option<f64> {
+        let (_, time) = self.queue.first();
+        time.is_finite().then_some(time)
+    }
+
+    /// The piece of path that a ball follows now.
+    #[must_use]
+    pub fn path(&self, ball: usize) -> &PathPiece {
+        &self.paths[ball]
+    }
+
+    /// The state of a ball now.
+    #[must_use]
+    pub fn state(&self, ball: usize) -> State {
+        let path = &self.paths[ball];
+        path.piece.at(self.clock - path.time)
+    }
+
+    /// Whether no ball moves or spins.
+    #[must_use]
+    pub fn is_at_rest(&self) -> bool {
+        self.paths
+            .iter()
+            .all(|path| matches!(path.piece.start.motion, Motion::Rest | Motion::Pocketed))
+    }
+
+    /// Whether a ball leans on something: it has touched the same thing within the last two contact times and is slow.
+    #[must_use]
+    pub fn contact(&self, ball: usize) -> Contact {
+        let touched = &self.touched[ball];
+        let lasting =
+            touched.time[0] >= self.clock - 2.0 * CONTACT_TIME && self.next[ball].time.is_finite();
+        let again = self.next[ball].partner == touched.what[0]
+            && self.next[ball].time - touched.time[0] <= 2.0 * CONTACT_TIME;
+        match touched.what[0] {
+            Partner::Ball(other) if lasting && again => Contact::Resting { on: other as usize },
+            Partner::Cushion(cushion) if lasting && again => Contact::RestingOnCushion {
+                cushion: cushion as usize,
+            },
+            _ => Contact::Free,
+        }
+    }
+
+    /// Advances to this time, all events until then included. A time in the past changes nothing; with an infinite time
+    /// the clock stops at the last event.
+    ///
+    /// # Errors
+    /// [`SolveError`] with names, time and numbers; the engine is then of no further use.
+    pub fn advance(&mut self, until: f64, watch: &mut impl Watch) -> Result<(), SolveError> {
+        while let Some(time) = self.next_time().filter(|time| *time <= until) {
+            // Rounding may put an event a bit before the clock.
+            self.clock = self.clock.max(time);
+            self.step(watch)?;
+        }
+        if until.is_finite() {
+            self.clock = self.clock.max(until);
+        }
+        Ok(())
+    }
+
+    /// Plays a stroke now.
+    ///
+    /// # Errors
+    /// [`SolveError`] as [`Self::advance`], and if there is no such ball.
+    pub fn strike(
+        &mut self,
+        ball: usize,
+        cue: &Cue,
+        shot: &Shot,
+        watch: &mut impl Watch,
+    ) -> Result<(), SolveError> {
+        if ball >= self.count() {
+            return Err(SolveError::NoSuchBall {
+                ball,
+                count: self.count(),
+            });
+        }
+        if self.is_at_rest() {
+            self.restart();
+        }
+        let before = self.state(ball);
+        if !before.motion.in_play() {
+            return Ok(());
+        }
+        let struck = strike_with(cue, &self.laws, &self.bodies[ball], &before, shot);
+        watch.event(&Event {
+            time: self.clock,
+            kind: EventKind::Strike {
+                miscue: struck.miscue,
+            },
+            first: Participant {
+                ball,
+                before,
+                after: struck.state,
+            },
+            second: None,
+            impulse: struck.impulse,
+        });
+        self.happened += 1;
+        self.last = self.clock;
+        self.set(ball, struck.state, watch)?;
+        self.push_off(ball, watch)
+    }
+
+    /// Sets the clock of a table at rest to 0.
+    fn restart(&mut self) {
+        for path in &mut self.paths {
+            path.time = 0.0;
+        }
+        for flight in &mut self.flights {
+            flight.since = 0.0;
+        }
+        self.touched.fill(Touched::NOTHING);
+        self.clock = 0.0;
+        self.last = 0.0;
+        self.happened = 0;
+    }
+
+    /// Puts a ball on the path that starts with this state now.
+    pub(super) fn set(
+        &mut self,
+        ball: usize,
+        state: State,
+        watch: &mut impl Watch,
+    ) -> Result<(), SolveError> {
+        if !state.is_finite() {
+            return Err(self.not_finite(ball, state));
+        }
+        let body = &self.bodies[ball];
+        let path = PathPiece {
+            time: self.clock,
+            piece: self.laws.motion.piece(body, &state),
+        };
+        self.paths[ball] = path;
+        self.flights[ball] = Flight::new(body, &path);
+        self.counts[ball] = self.counts[ball].wrapping_add(1);
+        watch.piece(ball, &path);
+        Ok(())
+    }
+
+    /// Rebuilds the packed copy of a path.
+    pub(super) fn pack(&mut self, ball: usize) {
+        self.flights[ball] = Flight::new(&self.bodies[ball], &self.paths[ball]);
+    }
+}

@@ -1,0 +1,281 @@
+//! The next event of one ball.
+
+use crate::physics::contact::{self, Track};
+use crate::physics::exact::engine::Engine;
+use crate::physics::exact::walls::{Area, Wall};
+use crate::physics::exact::{SolveError, Watch};
+use crate::physics::record::{Event, EventKind, Participant};
+use crate::physics::roots::RootError;
+use crate::physics::table::Cushion;
+
+/// With whom or what.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+pub(super) enum Partner {
+    Nothing,
+    /// A change of motion.
+    Motion,
+    Ball(u32),
+    Cushion(u32),
+    Pocket(u32),
+    /// The ball enters this cell.
+    Cell(u32),
+}
+
+/// An event to come.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Next {
+    pub(super) time: f64,
+    pub(super) partner: Partner,
+    /// Path count of the other ball when this was found.
+    pub(super) count: u32,
+}
+
+impl Next {
+    pub(super) const NEVER: Self = Self {
+        time: f64::INFINITY,
+        partner: Partner::Nothing,
+        count: 0,
+    };
+}
+
+/// The best event so far of a search, `wait` seconds from now.
+struct Search {
+    wait: f64,
+    partner: Partner,
+}
+
+impl Search {
+    fn offer(&mut self, wait: Option<f64>, partner: Partner) {
+        let Some(wait) = wait else { return };
+        let first_named = match (partner, self.partner) {
+            (Partner::Ball(new), Partner::Ball(old)) => new < old,
+            _ => false,
+        };
+        if wait < self.wait || (wait == self.wait && first_named) {
+            self.wait = wait;
+            self.partner = partner;
+        }
+    }
+}
+
+impl Engine {
+    /// Finds the next event of a ball whose path, neighbourhood or partner has changed.
+    pub(super) fn predict(&mut self, ball: usize) -> Result<(), SolveError> {
+        let next = self.search(ball).map_err(|source| SolveError::Root {
+            ball: self.names[ball].clone(),
+            time: self.clock,
+            source,
+        })?;
+        self.next[ball] = next;
+        self.queue.set(ball, next.time);
+        Ok(())
+    }
+
+    fn search(&self, ball: usize) -> Result<Next, RootError> {
+        let now = self.clock;
+        let flight = &self.flights[ball];
+        if !flight.in_play {
+            return Ok(Next::NEVER);
+        }
+        let mut search = Search {
+            wait: flight.until - now,
+            partner: Partner::Motion,
+        };
+        let track = flight.seen(now);
+        if flight.moves {
+            if let Some(cells) = &self.cells
+                && let Some((wait, cell)) = cells.leaves(ball as u32, &track, search.wait)?
+            {
+                search.offer(Some(wait), Partner::Cell(cell));
+            }
+            self.search_walls(ball, &track, &mut search)?;
+        }
+        match &self.cells {
+            None => {
+                for other in 0..self.flights.len() {
+                    self.search_pair(ball, &track, other, &mut search)?;
+                }
+            }
+            Some(cells) => {
+                for other in cells.around(ball as u32) {
+                    self.search_pair(ball, &track, other as usize, &mut search)?;
+                }
+            }
+        }
+        if search.wait == f64::INFINITY {
+            return Ok(Next::NEVER);
+        }
+        // A change of motion comes exactly when its piece ends.
+        let time = match search.partner {
+            Partner::Motion => flight.until,
+            _ => now + search.wait,
+        };
+        let count = match search.partner {
+            Partner::Ball(other) => self.counts[other as usize],
+            _ => 0,
+        };
+        Ok(Next {
+            time,
+            partner: search.partner,
+            count,
+        })
+    }
+
+    #[inline]
+    fn search_pair(
+        &self,
+        ball: usize,
+        track: &Track,
+        other: usize,
+        search: &mut Search,
+    ) -> Result<(), RootError> {
+        let (one, two) = (&self.flights[ball], &self.flights[other]);
+        if !two.in_play || !(one.moves || two.moves) || other == ball {
+            return Ok(());
+        }
+        let now = self.clock;
+        let horizon = search.wait.min(two.until - now);
+        let wait = contact::pair(track, &two.seen(now), one.radius + two.radius, horizon)?;
+        search.offer(wait, Partner::Ball(other as u32));
+        Ok(())
+    }
+
+    fn search_walls(
+        &self,
+        ball: usize,
+        track: &Track,
+        search: &mut Search,
+    ) -> Result<(), RootError> {
+        if let Some(cells) = &self.cells {
+            for &place in cells.walls(ball as u32) {
+                self.search_wall(ball, track, self.walls.list[place as usize].0, search)?;
+            }
+            return Ok(());
+        }
+        let mut wait = search.wait;
+        let mut path = (wait < f64::INFINITY).then(|| Area::of_path(track, wait));
+        if path.is_some_and(|path| self.walls.is_open(&path)) {
+            return Ok(());
+        }
+        for (wall, area) in &self.walls.list {
+            if path.is_some_and(|path| !path.meets(area)) {
+                continue;
+            }
+            self.search_wall(ball, track, *wall, search)?;
+            if search.wait < wait {
+                wait = search.wait;
+                path = Some(Area::of_path(track, wait));
+            }
+        }
+        Ok(())
+    }
+
+    fn search_wall(
+        &self,
+        ball: usize,
+        track: &Track,
+        wall: Wall,
+        search: &mut Search,
+    ) -> Result<(), RootError> {
+        let radius = self.flights[ball].radius;
+        let wait = match wall {
+            Wall::Cushion(index) => match &self.table.cushions[index as usize] {
+                Cushion::Line(line) => contact::line(track, line, radius, search.wait)?,
+                Cushion::Arc(arc) => contact::arc(track, arc, radius, search.wait)?,
+            },
+            Wall::Pocket(index) => {
+                contact::pocket(track, &self.table.pockets[index as usize], search.wait)?
+            }
+        };
+        let partner = match wall {
+            Wall::Cushion(index) => Partner::Cushion(index),
+            Wall::Pocket(index) => Partner::Pocket(index),
+        };
+        search.offer(wait, partner);
+        Ok(())
+    }
+
+    /// Lets the earliest event happen; the clock stands at its time.
+    pub(super) fn step(&mut self, watch: &mut impl Watch) -> Result<(), SolveError> {
+        let (ball, _) = self.queue.first();
+        let next = self.next[ball];
+        match next.partner {
+            Partner::Nothing => Ok(()),
+            Partner::Cell(cell) => {
+                if let Some(cells) = &mut self.cells {
+                    cells.remove(ball as u32);
+                    cells.insert(ball as u32, cell);
+                }
+                self.predict(ball)
+            }
+            // The other ball has changed its path since: look again.
+            Partner::Ball(other) if self.counts[other as usize] != next.count => self.predict(ball),
+            Partner::Ball(_) | Partner::Cushion(_) => {
+                self.count_event(ball)?;
+                self.collide(ball, next.partner, watch)
+            }
+            Partner::Motion => {
+                self.count_event(ball)?;
+                let before = self.state(ball);
+                let after = self.paths[ball].piece.end(&self.bodies[ball]);
+                self.set(ball, after, watch)?;
+                let kind = EventKind::Motion {
+                    from: before.motion,
+                    to: after.motion,
+                };
+                watch.event(&self.lone(ball, kind, before, after));
+                self.predict(ball)
+            }
+            Partner::Pocket(pocket) => {
+                self.count_event(ball)?;
+                let before = self.state(ball);
+                let after = self
+                    .laws
+                    .pocket
+                    .captured(&self.table.pockets[pocket as usize]);
+                self.set(ball, after, watch)?;
+                if let Some(cells) = &mut self.cells {
+                    cells.remove(ball as u32);
+                }
+                let kind = EventKind::Pocketed {
+                    pocket: pocket as usize,
+                };
+                watch.event(&self.lone(ball, kind, before, after));
+                self.predict(ball)
+            }
+        }
+    }
+
+    fn lone(
+        &self,
+        ball: usize,
+        kind: EventKind,
+        before: crate::physics::ball::State,
+        after: crate::physics::ball::State,
+    ) -> Event {
+        Event {
+            time: self.clock,
+            kind,
+            first: Participant {
+                ball,
+                before,
+                after,
+            },
+            second: None,
+            impulse: 0.0,
+        }
+    }
+
+    fn count_event(&mut self, ball: usize) -> Result<(), SolveError> {
+        self.happened += 1;
+        self.last = self.clock;
+        if self.happened > self.limits.events {
+            return Err(SolveError::EventLimit {
+                events: self.happened,
+                time: self.clock,
+                ball: self.names[ball].clone(),
+            });
+        }
+        Ok(())
+    }
+}

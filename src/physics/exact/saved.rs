@@ -1,0 +1,117 @@
+//! Saving a table in motion, and restoring it bit for bit.
+
+use serde::{Deserialize, Serialize};
+
+use crate::physics::ball::State;
+use crate::physics::exact::engine::Touched;
+use crate::physics::exact::predict::{Next, Partner};
+use crate::physics::exact::{Engine, Limits, SolveError};
+use crate::physics::record::PathPiece;
+use crate::physics::scene::Scene;
+
+/// A table in motion, to be written to a file. It belongs to the scene from which the engine was made: table, laws, masses
+/// and radii are not in it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Saved {
+    time: f64,
+    last: f64,
+    happened: u64,
+    balls: Vec<SavedBall>,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+struct SavedBall {
+    /// When its piece of path began.
+    since: f64,
+    /// The state with which it began.
+    start: State,
+    /// The next event found for it; what is infinite in the engine is absent here.
+    next: Option<(f64, Partner, u32)>,
+    count: u32,
+    cell: Option<u32>,
+    touched: Vec<(Partner, f64)>,
+}
+
+impl Engine {
+    /// Everything that the scene does not hold.
+    #[must_use]
+    pub fn save(&self) -> Saved {
+        let balls = (0..self.count())
+            .map(|ball| {
+                let next = self.next[ball];
+                let touched = self.touched[ball];
+                SavedBall {
+                    since: self.paths[ball].time,
+                    start: self.paths[ball].piece.start,
+                    next: next
+                        .time
+                        .is_finite()
+                        .then_some((next.time, next.partner, next.count)),
+                    count: self.counts[ball],
+                    cell: self.cells.as_ref().map(|cells| cells.cell_of[ball]),
+                    touched: touched
+                        .what
+                        .into_iter()
+                        .zip(touched.time)
+                        .filter(|(what, _)| *what != Partner::Nothing)
+                        .collect(),
+                }
+            })
+            .collect();
+        Saved {
+            time: self.clock,
+            last: self.last,
+            happened: self.happened,
+            balls,
+        }
+    }
+
+    /// The engine that was saved, from the scene from which it was made.
+    ///
+    /// # Errors
+    /// [`SolveError`] as [`Engine::new`], and if the numbers of balls differ.
+    pub fn restore(scene: &Scene, saved: &Saved, limits: Limits) -> Result<Self, SolveError> {
+        let mut engine = Self::unpredicted(scene, limits)?;
+        if saved.balls.len() != engine.count() {
+            return Err(SolveError::NoSuchBall {
+                ball: saved.balls.len(),
+                count: engine.count(),
+            });
+        }
+        engine.clock = saved.time;
+        engine.last = saved.last;
+        engine.happened = saved.happened;
+        for (index, ball) in saved.balls.iter().enumerate() {
+            if !ball.start.is_finite() {
+                return Err(engine.not_finite(index, ball.start));
+            }
+            engine.paths[index] = PathPiece {
+                time: ball.since,
+                piece: engine.laws.motion.piece(&engine.bodies[index], &ball.start),
+            };
+            engine.pack(index);
+            engine.counts[index] = ball.count;
+            if let Some((time, partner, count)) = ball.next {
+                engine.next[index] = Next {
+                    time,
+                    partner,
+                    count,
+                };
+                engine.queue.set(index, time);
+            }
+            let mut touched = Touched::NOTHING;
+            for (place, (what, time)) in ball.touched.iter().take(4).enumerate() {
+                touched.what[place] = *what;
+                touched.time[place] = *time;
+            }
+            engine.touched[index] = touched;
+            if let Some(cells) = &mut engine.cells {
+                cells.remove(index as u32);
+                if let Some(cell) = ball.cell.filter(|cell| *cell != u32::MAX) {
+                    cells.insert(index as u32, cell);
+                }
+            }
+        }
+        Ok(engine)
+    }
+}
