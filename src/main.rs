@@ -1,1 +1,7 @@
-fn main() {}
+//! The program `masse`.
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    masse::cli::main()
+}

@@ -1,0 +1,166 @@
+//! The command line.
+
+mod events;
+mod list;
+mod play;
+mod run;
+mod simulate;
+mod summary;
+mod write;
+
+pub use play::fallback;
+
+use std::io::{self, Write};
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+use thiserror::Error;
+
+use crate::physics::scene::SceneError;
+use crate::scenarios::file::FileError;
+use crate::scenarios::library::OpenError;
+use run::RunOptions;
+
+/// Massé: a billiards game and simulator.
+#[derive(Parser, Debug)]
+#[command(
+    name = "masse",
+    version,
+    about = "Massé: a billiards game and simulator",
+    long_about = "Massé is a billiards game and simulator.\n\n\
+        Without a command it opens a window with a racked table: aim with the mouse, shoot with the space bar; F1 shows \
+        every key. `masse run` plays a scene without a window and writes everything that happens as text. Where there is \
+        no display, `masse` runs the break without a window and draws a picture of it.",
+    after_long_help = "EXAMPLES\n  \
+        masse                                        play\n  \
+        masse play draw-back                         play, beginning with a scene\n  \
+        masse list                                   name the scenes that are built in\n  \
+        masse run break-nine                         write the events of a break as JSON lines\n  \
+        masse run break-nine --picture break.svg -q  draw the paths and write nothing else\n  \
+        masse run my.ron --solver stepped --tick 0.001 --out my.jsonl\n  \
+        masse write gas gas.ron                      write a scene out in full, to change it\n\n\
+        EVENTS\n  \
+        Each line of `masse run` is an object: time in s, kind (strike, ball_ball, cushion, pocketed, motion), who (names of\n  \
+        balls), impulse in N s, and the states of these balls before and after: position in m, velocity in m/s, spin in\n  \
+        rad/s. x runs along the table to the foot, y up, z across. The last line holds the summary. Numbers have all their\n  \
+        digits; the same scene gives the same text.\n\n\
+        EXIT CODES\n  \
+        0  done\n  \
+        2  bad input: the message names the file, the place in it and the value; nothing is written\n  \
+        3  a file cannot be written\n  \
+        4  the solver could not finish the scene"
+)]
+struct Cli {
+    #[command(subcommand)]
+    command: Option<Command>,
+}
+
+#[derive(Subcommand, Debug)]
+enum Command {
+    /// Open the window and play
+    Play {
+        /// Built-in scene or scene file to begin with; without it a racked table
+        scene: Option<String>,
+    },
+    /// Run a scene without a window and write what happens as JSON lines
+    Run(RunOptions),
+    /// Name the scenes that are built in
+    List,
+    /// Write a scene out in full as a scene file
+    Write {
+        /// Built-in scene or scene file
+        scene: String,
+        /// The file to write
+        file: PathBuf,
+    },
+}
+
+/// Why a command failed.
+#[derive(Debug, Error)]
+enum CommandError {
+    /// No such scene, or a scene that is no good.
+    #[error(transparent)]
+    Open(#[from] OpenError),
+    /// A scene file that is no good.
+    #[error(transparent)]
+    File(#[from] FileError),
+    /// Options that make a scene unplayable.
+    #[error("command line: {0}")]
+    Options(#[from] SceneError),
+    /// Options that do not fit each other.
+    #[error("command line: {0}")]
+    Usage(String),
+    /// The solver gave up.
+    #[error("{0}")]
+    Unfinished(String),
+    /// Something cannot be written.
+    #[error("{to}: cannot be written: {source}")]
+    Write {
+        /// The file, or the stream.
+        to: String,
+        /// What the system says.
+        source: io::Error,
+    },
+}
+
+impl CommandError {
+    fn code(&self) -> u8 {
+        match self {
+            Self::Open(_) | Self::File(_) | Self::Options(_) | Self::Usage(_) => 2,
+            Self::Write { .. } => 3,
+            Self::Unfinished(_) => 4,
+        }
+    }
+}
+
+/// Does what the arguments of the program say.
+#[must_use]
+pub fn main() -> ExitCode {
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(error) => {
+            // Whoever reads help through a pipe may stop reading.
+            let _ = error.print();
+            return ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2));
+        }
+    };
+    let outcome = match cli.command {
+        None => play::play(None),
+        Some(Command::Play { scene }) => play::play(scene.as_deref()),
+        Some(Command::Run(options)) => run::run(&options).map(|()| ExitCode::SUCCESS),
+        Some(Command::List) => list::list().map(|()| ExitCode::SUCCESS),
+        Some(Command::Write { scene, file }) => {
+            write::write(&scene, &file).map(|()| ExitCode::SUCCESS)
+        }
+    };
+    outcome.unwrap_or_else(|error| {
+        say(&format!("masse: {error}"));
+        ExitCode::from(error.code())
+    })
+}
+
+/// A line for the person, apart from the results. Nobody listening is no error.
+fn say(line: &str) {
+    let _ = writeln!(io::stderr(), "{line}");
+}
+
+/// Writes to the standard output. A reader that has gone away, as `head` does, has read enough: that is no error.
+fn to_stdout(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), CommandError> {
+    let mut out = io::BufWriter::new(io::stdout().lock());
+    match write(&mut out).and_then(|()| out.flush()) {
+        Err(source) if source.kind() != io::ErrorKind::BrokenPipe => Err(CommandError::Write {
+            to: "standard output".to_owned(),
+            source,
+        }),
+        _ => Ok(()),
+    }
+}
+
+/// Writes a whole file.
+fn to_file(path: &std::path::Path, text: &[u8]) -> Result<(), CommandError> {
+    std::fs::write(path, text).map_err(|source| CommandError::Write {
+        to: path.display().to_string(),
+        source,
+    })
+}

@@ -1,0 +1,130 @@
+//! `masse run`.
+
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum};
+
+use crate::cli::simulate::{Run, simulate};
+use crate::cli::summary::Summary;
+use crate::cli::{CommandError, events, say, to_file, to_stdout};
+use crate::physics::scene::{Scene, Solver, Stepped};
+use crate::report::picture;
+use crate::scenarios::library;
+
+/// What to run, and how.
+#[derive(Args, Debug)]
+pub(super) struct RunOptions {
+    /// Built-in scene (see `masse list`) or path of a scene file
+    scene: String,
+    /// Solver to use instead of the one the scene names
+    #[arg(long, value_enum)]
+    solver: Option<SolverName>,
+    /// Length in s of a tick of the stepped solver
+    #[arg(long, value_name = "S")]
+    tick: Option<f64>,
+    /// Grid of the stepped solver, such as 20x20; `none` tests every pair
+    #[arg(long, value_name = "COLUMNSxROWS", value_parser = grid)]
+    grid: Option<GridOption>,
+    /// Seconds after which the run ends even if balls still move
+    #[arg(long, value_name = "S")]
+    time_limit: Option<f64>,
+    /// File for the events, instead of the standard output
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+    /// File for a picture of the paths, in SVG
+    #[arg(long, value_name = "FILE.svg")]
+    picture: Option<PathBuf>,
+    /// Write no events to the standard output and no summary to the standard error
+    #[arg(long, short)]
+    quiet: bool,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum SolverName {
+    /// Every event at its own time
+    Exact,
+    /// A fixed tick
+    Stepped,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct GridOption(Option<(u32, u32)>);
+
+fn grid(text: &str) -> Result<GridOption, String> {
+    if text == "none" {
+        return Ok(GridOption(None));
+    }
+    text.split_once('x')
+        .and_then(|(columns, rows)| Some((columns.parse().ok()?, rows.parse().ok()?)))
+        .map(|cells| GridOption(Some(cells)))
+        .ok_or_else(|| "two numbers such as 20x20, or `none`".to_owned())
+}
+
+/// Runs a scene and writes its events, its summary and, if asked for, its picture.
+pub(super) fn run(options: &RunOptions) -> Result<(), CommandError> {
+    let mut scenario = library::open(&options.scene)?;
+    options.change(&mut scenario.scene)?;
+    let (scene, title) = (&scenario.scene, &scenario.title);
+    let run = simulate(scene)?;
+    let summary = Summary::of(&options.scene, title, scene, &run.record);
+    if let Some(path) = &options.out {
+        let mut lines = Vec::new();
+        written(&mut lines, scene, &run, &summary).map_err(|source| CommandError::Write {
+            to: path.display().to_string(),
+            source,
+        })?;
+        to_file(path, &lines)?;
+    } else if !options.quiet {
+        to_stdout(|out| written(out, scene, &run, &summary))?;
+    }
+    if let Some(path) = &options.picture {
+        to_file(
+            path,
+            picture::draw(title, scene, &run.record, &run.trails).as_bytes(),
+        )?;
+    }
+    if !options.quiet {
+        say(&summary.text());
+    }
+    Ok(())
+}
+
+fn written(
+    out: &mut dyn std::io::Write,
+    scene: &Scene,
+    run: &Run,
+    summary: &Summary,
+) -> std::io::Result<()> {
+    events::write(out, scene, &run.record.events)?;
+    summary.write(out)
+}
+
+impl RunOptions {
+    /// Changes a scene to what the options say.
+    fn change(&self, scene: &mut Scene) -> Result<(), CommandError> {
+        match (self.solver, scene.solver) {
+            (Some(SolverName::Exact), _) => scene.solver = Solver::Exact,
+            (Some(SolverName::Stepped), Solver::Exact) => {
+                scene.solver = Solver::Stepped(Stepped::default())
+            }
+            _ => {}
+        }
+        if let Some(time_limit) = self.time_limit {
+            scene.time_limit = time_limit;
+        }
+        if self.tick.is_some() || self.grid.is_some() {
+            let Solver::Stepped(stepped) = &mut scene.solver else {
+                return Err(CommandError::Usage(
+                    "--tick and --grid belong to the stepped solver; add --solver stepped"
+                        .to_owned(),
+                ));
+            };
+            stepped.tick = self.tick.unwrap_or(stepped.tick);
+            if let Some(GridOption(cells)) = self.grid {
+                stepped.grid = cells;
+            }
+        }
+        scene.check()?;
+        Ok(())
+    }
+}

@@ -1,0 +1,105 @@
+//! The scenes that are built in, and how any scene is found by the name a person gives.
+//!
+//! A scene is a file in `assets/scenes` and a line here.
+
+use std::path::Path;
+
+use thiserror::Error;
+
+use crate::scenarios::file::{self, FileError, Scenario};
+
+/// A scene that is built in.
+#[derive(Clone, Copy, Debug)]
+pub struct BuiltIn {
+    /// What `masse run` calls it.
+    pub name: &'static str,
+    text: &'static str,
+}
+
+/// A line of the library: the name of a file in `assets/scenes`.
+macro_rules! scene {
+    ($name:literal) => {
+        BuiltIn {
+            name: $name,
+            text: include_str!(concat!("../../assets/scenes/", $name, ".ron")),
+        }
+    };
+}
+
+/// Every built-in scene, in the order in which they are listed.
+pub const BUILT_IN: &[BuiltIn] = &[
+    scene!("break-eight"),
+    scene!("break-nine"),
+    scene!("stop-shot"),
+    scene!("stun-shot"),
+    scene!("follow"),
+    scene!("draw-back"),
+    scene!("throw"),
+    scene!("cradle"),
+    scene!("three-cushion"),
+    scene!("masse"),
+    scene!("gas"),
+    scene!("coursework-1-collisions"),
+    scene!("coursework-2-grid"),
+    scene!("coursework-2-grid-50"),
+    scene!("coursework-3-backspin"),
+    scene!("coursework-3-side-curve"),
+    scene!("coursework-3-draw-english"),
+    scene!("real-backspin"),
+    scene!("real-side-curve"),
+    scene!("real-draw-english"),
+];
+
+impl BuiltIn {
+    /// The scene.
+    ///
+    /// # Errors
+    /// [`FileError`] if the file it is made of is no good; a test holds that none is.
+    pub fn scenario(&self) -> Result<Scenario, FileError> {
+        file::parse(self.text, self.name)
+    }
+
+    /// One line about the scene.
+    ///
+    /// # Errors
+    /// [`FileError`] as for [`scenario`](Self::scenario).
+    pub fn title(&self) -> Result<String, FileError> {
+        file::title(self.text, self.name)
+    }
+}
+
+/// Why there is no such scene.
+#[derive(Debug, Error)]
+pub enum OpenError {
+    /// Neither a built-in scene nor a file.
+    #[error("scene: there is no built-in scene and no file `{name}`; built in are {known}")]
+    Unknown {
+        /// The name given.
+        name: String,
+        /// The names that are known.
+        known: String,
+    },
+    /// A scene file that is no good.
+    #[error(transparent)]
+    File(#[from] FileError),
+}
+
+/// The scene that a person calls by this name: a built-in one, else a file.
+///
+/// # Errors
+/// [`OpenError`] with the names that are known, or with what is wrong in the file.
+pub fn open(name: &str) -> Result<Scenario, OpenError> {
+    if let Some(built_in) = BUILT_IN.iter().find(|scene| scene.name == name) {
+        return Ok(built_in.scenario()?);
+    }
+    let path = Path::new(name);
+    let looks_like_a_file = path.components().count() > 1 || path.extension().is_some();
+    if looks_like_a_file || path.exists() {
+        return Ok(file::read(path)?);
+    }
+    let names: Vec<&str> = BUILT_IN.iter().map(|scene| scene.name).collect();
+    Err(OpenError::Unknown {
+        name: name.to_owned(),
+        known: names.join(", "),
+    })
+}
