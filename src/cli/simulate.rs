@@ -16,7 +16,14 @@ pub(super) struct Run {
 pub(super) fn simulate(scene: &Scene) -> Result<Run, CommandError> {
     match scene.solver {
         Solver::Stepped(_) => {
-            let (record, recorder) = stepping::run_to_rest(scene);
+            let (record, recorder) = stepping::try_run_to_rest(scene).map_err(|failed| {
+                CommandError::Unfinished(format!(
+                    "the solver stopped at {} s: ball `{}`: {}",
+                    failed.time,
+                    scene.balls.get(failed.ball).map_or("", |ball| &ball.name),
+                    failed.reason
+                ))
+            })?;
             Ok(Run {
                 record,
                 trails: recorder.trails,

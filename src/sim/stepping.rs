@@ -24,6 +24,7 @@ use crate::physics::record::{EndReason, Record};
 use crate::physics::scene::Scene;
 use crate::sim::SimPlugin;
 use crate::sim::clock::Clock;
+use crate::sim::messages::Failed;
 use crate::sim::playfield::{BallQuery, Playfield, lay_out, snapshot};
 use crate::sim::recorder::Recorder;
 
@@ -60,11 +61,30 @@ pub fn states(app: &mut App) -> Vec<State> {
 }
 
 /// Runs a scene until every ball rests or its time limit is over, and returns what happened.
+///
+/// # Panics
+/// If the solver fails; [`try_run_to_rest`] returns the failure instead.
 #[must_use]
 pub fn run_to_rest(scene: &Scene) -> (Record, Recorder) {
+    try_run_to_rest(scene).unwrap_or_else(|failed| panic!("{failed:?}"))
+}
+
+/// Runs a scene until every ball rests or its time limit is over, and returns what happened.
+///
+/// # Errors
+/// [`Failed`] with the ball, the time and the numbers if the solver cannot go on.
+pub fn try_run_to_rest(scene: &Scene) -> Result<(Record, Recorder), Failed> {
     let mut app = headless_app(scene);
     let reason = loop {
         step(&mut app, 1);
+        let failed = app
+            .world_mut()
+            .resource_mut::<Messages<Failed>>()
+            .drain()
+            .last();
+        if let Some(failed) = failed {
+            return Err(failed);
+        }
         let clock = app.world().resource::<Clock>();
         if !clock.moving {
             break EndReason::Rest;
@@ -79,5 +99,5 @@ pub fn run_to_rest(scene: &Scene) -> (Record, Recorder) {
         .unwrap_or_default();
     let mut record = recorder.record(app.world().resource::<Clock>().time(), Some(reason));
     record.end = states(&mut app);
-    (record, recorder)
+    Ok((record, recorder))
 }

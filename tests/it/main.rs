@@ -2,6 +2,7 @@
 //! the map of the rooms, and the order of the systems.
 
 mod architecture;
+mod cli;
 mod closeness;
 #[cfg(feature = "window")]
 mod controls;
@@ -10,4 +11,5 @@ mod judges;
 mod practice;
 mod properties;
 mod reference;
+mod scene_files;
 mod schedules;

@@ -13,12 +13,12 @@ use crate::report::picture::{Page, Trails, layer, number};
 /// Pixels by which a drawn path may leave out a bend.
 const TOLERANCE: f64 = 0.1;
 
-/// Most events that are marked: beyond, the marks hide the picture.
-const MOST_MARKS: usize = 1500;
+/// Most balls whose events are marked and whose paths are wide: with more, the lines would hide the picture.
+const CROWD: usize = 40;
 
 /// One line for each ball that moved, in its colour.
 pub(super) fn draw(page: &Page, scene: &Scene, trails: &Trails) -> Group {
-    let crowd = scene.balls.len() > 40;
+    let crowd = scene.balls.len() > CROWD;
     let mut group = layer("paths")
         .set("fill", "none")
         .set("stroke-linejoin", "round")
@@ -50,7 +50,10 @@ pub(super) fn draw(page: &Page, scene: &Scene, trails: &Trails) -> Group {
 /// A ring where balls met, a dot at a cushion, a cross-hair ring where the cue struck and where a ball fell.
 pub(super) fn marks(page: &Page, scene: &Scene, events: &[Event]) -> Group {
     let mut group = layer("events");
-    for event in events.iter().take(MOST_MARKS) {
+    if scene.balls.len() > CROWD {
+        return group;
+    }
+    for event in events {
         let Some(ball) = scene.balls.get(event.first.ball) else {
             continue;
         };

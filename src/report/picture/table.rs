@@ -19,9 +19,21 @@ pub(super) fn draw(page: &Page, table: &Table) -> Group {
         .add(box_around(page, half + 0.4 * page.rail, "#0e5238"))
         .add(box_around(page, half, "#17704c"));
     for pocket in &table.pockets {
-        let place = page.point(pocket.center);
-        let cloth = page.length(1.15 * pocket.radius);
-        group = group.add(disc(place, cloth, "#17704c"));
+        // The mouth: cloth from the hole to a little inside the playing surface.
+        let inner = pocket.center.clamp(-half, half);
+        let inwards = (inner - pocket.center).normalize_or_zero();
+        let mouth = stroke(
+            page.point(pocket.center),
+            page.point(inner + 0.7 * pocket.radius * inwards),
+            "#17704c",
+            page.length(1.75 * pocket.radius),
+        );
+        let edge = disc(
+            page.point(pocket.center),
+            page.length(1.15 * pocket.radius),
+            "#17704c",
+        );
+        group = group.add(mouth).add(edge);
     }
     for pocket in &table.pockets {
         group = group.add(disc(
