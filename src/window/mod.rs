@@ -13,7 +13,8 @@ mod render;
 mod shot_ui;
 mod sound;
 
-pub use display::NoDisplay;
+pub use display::{NoDisplay, snapshot};
+pub use render::quality::RenderQuality;
 
 use bevy::app::PluginGroupBuilder;
 use bevy::asset::AssetPlugin;
@@ -35,6 +36,8 @@ pub enum WindowSystems {
     Input,
     /// Transforms, meshes and sounds follow the simulation. Runs in [`RunFixedMainLoop`], after the fixed ticks.
     Present,
+    /// The camera follows. Runs in [`RunFixedMainLoop`], after `Present`.
+    Look,
     /// Panels are laid out and read. Runs in [`EguiPrimaryContextPass`].
     Ui,
     /// What lies over the panels: help, status. Runs in [`EguiPrimaryContextPass`].
@@ -52,24 +55,29 @@ impl Plugin for WindowPlugin {
                 WindowSystems::Input.after(InputManagerSystem::ManualControl),
             )
             .configure_sets(
-                RunFixedMainLoop,
-                WindowSystems::Present.in_set(RunFixedMainLoopSystems::AfterFixedMainLoop),
-            )
-            .configure_sets(
                 EguiPrimaryContextPass,
                 (WindowSystems::Ui, WindowSystems::Overlay).chain(),
             )
             .add_plugins((
+                picture,
                 action::plugin,
                 input::plugin,
-                pace::plugin,
-                camera::plugin,
-                render::plugin,
                 shot_ui::plugin,
                 hud::plugin,
                 sound::plugin,
             ));
     }
+}
+
+/// What can be seen without touching anything: the part that also draws without a window.
+fn picture(app: &mut App) {
+    app.configure_sets(
+        RunFixedMainLoop,
+        (WindowSystems::Present, WindowSystems::Look)
+            .chain()
+            .in_set(RunFixedMainLoopSystems::AfterFixedMainLoop),
+    )
+    .add_plugins((pace::plugin, camera::plugin, render::plugin));
 }
 
 /// The plugins of the whole program on top of Bevy's own.
@@ -95,9 +103,11 @@ impl PluginGroup for Windowed {
 /// # Errors
 /// [`NoDisplay`] if there is nothing to draw on or with.
 pub fn play(scene: Option<Scene>) -> Result<AppExit, NoDisplay> {
-    let mut app = display::on_screen(|| {
+    let mut app = display::on_screen(|quality| {
         let mut app = App::new();
-        app.add_plugins(engine()).add_plugins(windowed());
+        app.insert_resource(quality)
+            .add_plugins(engine())
+            .add_plugins(windowed());
         app
     })?;
     lay_out(app.world_mut(), &scene.unwrap_or_else(practice::opening));

@@ -1,5 +1,63 @@
-//! The picture: table, balls, cue, lamp, guides.
+//! The picture: table, balls, cue, lamps, guides, trails. Everything is generated; nothing is loaded.
+
+mod balls;
+mod cue;
+mod guides;
+mod lines;
+mod paint;
+mod plan;
+pub(super) mod quality;
+mod room;
+
+mod solid;
+mod studio;
+mod table;
+mod trails;
 
 use bevy::prelude::*;
 
-pub(super) fn plugin(_app: &mut App) {}
+use crate::window::WindowSystems;
+use quality::RenderQuality;
+
+/// The order within [`WindowSystems::Present`].
+#[derive(SystemSet, Clone, Copy, Debug, PartialEq, Eq, Hash)]
+enum Drawing {
+    /// The room and its lamps.
+    Room,
+    /// The table is rebuilt if it changed.
+    Table,
+    /// Balls are put where they are.
+    Balls,
+    /// The cue stick.
+    Cue,
+    /// Aim line and ghost ball.
+    Guides,
+    /// Paths of the last shot.
+    Trails,
+}
+
+pub(super) fn plugin(app: &mut App) {
+    let order = || {
+        (
+            Drawing::Room,
+            Drawing::Table,
+            Drawing::Balls,
+            Drawing::Cue,
+            Drawing::Guides,
+            Drawing::Trails,
+        )
+            .chain()
+    };
+    app.init_resource::<RenderQuality>()
+        .configure_sets(Startup, order())
+        .configure_sets(RunFixedMainLoop, order().in_set(WindowSystems::Present))
+        .add_plugins((
+            lines::plugin,
+            room::plugin,
+            table::plugin,
+            balls::plugin,
+            cue::plugin,
+            guides::plugin,
+            trails::plugin,
+        ));
+}

@@ -1,0 +1,236 @@
+//! The three views, what the player has set in each, and the way from one to the other.
+
+use bevy::prelude::*;
+
+use crate::game::view::{CameraInput, CameraMode};
+use crate::window::camera::pose::Pose;
+
+/// Seconds in which a change of mode comes within 1/e of its goal.
+const EASE: f32 = 0.16;
+
+/// Seconds in which the view comes within 1/e of a ball that has come to rest elsewhere.
+const CATCH_UP: f32 = 0.25;
+
+/// Wood around the playing surface that an overhead view shows, m.
+const MARGIN: f32 = 0.24;
+
+/// What the views depend on.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Surroundings {
+    /// Centre of the ball to strike, while it waits to be struck.
+    pub ball: Option<Vec3>,
+    /// Unit vector of the aim.
+    pub forward: Vec3,
+    /// Length and width of the playing surface, m.
+    pub table: Vec2,
+    /// Width of the picture over its height.
+    pub aspect: f32,
+}
+
+/// What the player has set in each view, and the way from the last view.
+#[derive(Resource, Debug)]
+pub(super) struct Rig {
+    behind_distance: f32,
+    behind_pitch: f32,
+    overhead_zoom: f32,
+    overhead_shift: Vec2,
+    orbit_target: Vec3,
+    orbit_yaw: f32,
+    orbit_pitch: f32,
+    orbit_distance: f32,
+    /// The ball as the camera follows it.
+    anchor: Option<Vec3>,
+    /// The mode on the screen.
+    mode: CameraMode,
+    /// Where the camera was when the mode changed, and how much of that is left.
+    from: Option<(Pose, f32)>,
+    shown: Option<Pose>,
+}
+
+impl Default for Rig {
+    fn default() -> Self {
+        Self {
+            behind_distance: 0.95,
+            behind_pitch: 0.33,
+            overhead_zoom: 1.0,
+            overhead_shift: Vec2::ZERO,
+            orbit_target: Vec3::new(0.0, 0.0, 0.05),
+            orbit_yaw: 0.5,
+            orbit_pitch: 0.62,
+            orbit_distance: 2.7,
+            anchor: None,
+            mode: CameraMode::default(),
+            from: None,
+            shown: None,
+        }
+    }
+}
+
+impl Rig {
+    /// Takes what the player asks for in the present mode.
+    pub fn steer(&mut self, mode: CameraMode, input: &CameraInput) {
+        let closer = libm::expf(-input.zoom.clamp(-3.0, 3.0));
+        match mode {
+            CameraMode::BehindCue => {
+                self.behind_distance = (self.behind_distance * closer).clamp(0.25, 3.0);
+                self.behind_pitch = (self.behind_pitch + input.orbit.y).clamp(0.08, 1.3);
+            }
+            CameraMode::Overhead => {
+                self.overhead_zoom = (self.overhead_zoom * closer).clamp(0.15, 1.5);
+                self.overhead_shift += input.pan;
+            }
+            CameraMode::Orbit => {
+                self.orbit_distance = (self.orbit_distance * closer).clamp(0.2, 8.0);
+                self.orbit_yaw = (self.orbit_yaw + input.orbit.x).rem_euclid(std::f32::consts::TAU);
+                self.orbit_pitch = (self.orbit_pitch + input.orbit.y).clamp(0.06, 1.55);
+                let away = Quat::from_rotation_y(self.orbit_yaw);
+                self.orbit_target += away * Vec3::new(input.pan.x, 0.0, -input.pan.y);
+                self.orbit_target = self.orbit_target.clamp_length_max(20.0);
+            }
+        }
+    }
+
+    /// The pose of the next frame, `dt` s after the last.
+    pub fn advance(&mut self, mode: CameraMode, around: &Surroundings, dt: f32) -> Pose {
+        if let Some(ball) = around.ball {
+            let share = 1.0 - libm::expf(-dt / CATCH_UP);
+            let anchor = self.anchor.unwrap_or(ball).lerp(ball, share);
+            // Placing a ball by hand should not make the view swim.
+            self.anchor = Some(if anchor.distance(ball) < 1e-4 {
+                ball
+            } else {
+                anchor
+            });
+        }
+        if mode != self.mode {
+            self.from = self.shown.map(|pose| (pose, 1.0));
+            self.mode = mode;
+        }
+        let goal = self.goal(mode, around);
+        let pose = match &mut self.from {
+            Some((from, left)) => {
+                *left *= libm::expf(-dt / EASE);
+                goal.towards(from, smooth(*left))
+            }
+            None => goal,
+        };
+        if self.from.is_some_and(|(_, left)| left < 1e-3) {
+            self.from = None;
+        }
+        self.shown = Some(pose);
+        pose
+    }
+
+    /// Where a mode wants the camera.
+    fn goal(&self, mode: CameraMode, around: &Surroundings) -> Pose {
+        match mode {
+            CameraMode::BehindCue => {
+                let anchor = self
+                    .anchor
+                    .unwrap_or(Vec3::new(-0.25 * around.table.x, 0.03, 0.0));
+                let (sin, cos) = libm::sincosf(self.behind_pitch);
+                let eye = anchor + self.behind_distance * (sin * Vec3::Y - cos * around.forward);
+                let target = anchor + 0.38 * self.behind_distance * around.forward;
+                Pose::looking_at(eye, target, Vec3::Y, 0.80)
+            }
+            CameraMode::Overhead => {
+                let fov: f32 = 0.40;
+                let size = around.table + 2.0 * MARGIN * (around.table.y / 1.27).clamp(0.2, 1.0);
+                // A tall window turns the table upright, the foot up.
+                let upright = around.aspect < 1.0;
+                let (wide, high) = if upright {
+                    (size.y, size.x)
+                } else {
+                    (size.x, size.y)
+                };
+                let reach = 2.0 * libm::tanf(0.5 * fov);
+                let height =
+                    (high / reach).max(wide / (reach * around.aspect)) * self.overhead_zoom;
+                let (right, up) = if upright {
+                    (Vec3::Z, Vec3::X)
+                } else {
+                    (Vec3::X, Vec3::NEG_Z)
+                };
+                let target = self.overhead_shift.x * right + self.overhead_shift.y * up;
+                Pose::looking_at(target + height * Vec3::Y, target, up, fov)
+            }
+            CameraMode::Orbit => {
+                let (sin, cos) = libm::sincosf(self.orbit_pitch);
+                let out = Quat::from_rotation_y(self.orbit_yaw) * Vec3::new(0.0, sin, cos);
+                let eye = self.orbit_target + self.orbit_distance * out;
+                Pose::looking_at(
+                    eye.with_y(eye.y.max(0.06)),
+                    self.orbit_target,
+                    Vec3::Y,
+                    0.75,
+                )
+            }
+        }
+    }
+}
+
+fn smooth(t: f32) -> f32 {
+    t * t * (3.0 - 2.0 * t)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn around(aspect: f32) -> Surroundings {
+        Surroundings {
+            ball: Some(Vec3::new(-0.6, 0.03, 0.1)),
+            forward: Vec3::X,
+            table: Vec2::new(2.54, 1.27),
+            aspect,
+        }
+    }
+
+    /// Where a point of the world lies in the picture, −1 to 1 both ways.
+    fn seen(pose: &Pose, aspect: f32, point: Vec3) -> Vec2 {
+        let local = pose.rotation.inverse() * (point - pose.eye);
+        let half = libm::tanf(0.5 * pose.fov);
+        Vec2::new(
+            local.x / (-local.z * half * aspect),
+            local.y / (-local.z * half),
+        )
+    }
+
+    #[test]
+    fn overhead_shows_the_whole_table_in_any_window() {
+        for aspect in [0.4, 0.7, 1.0, 1.33, 1.78, 3.5] {
+            let pose = Rig::default().advance(CameraMode::Overhead, &around(aspect), 0.0);
+            for (x, z) in [(1.0, 1.0), (-1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)] {
+                let corner = Vec3::new(1.27 * x, 0.04, 0.635 * z);
+                let place = seen(&pose, aspect, corner).abs();
+                assert!(place.max_element() < 1.0, "{aspect}: {corner} at {place}");
+            }
+        }
+    }
+
+    #[test]
+    fn behind_the_cue_the_ball_is_in_the_middle_and_the_aim_points_up() {
+        let around = around(1.78);
+        let pose = Rig::default().advance(CameraMode::BehindCue, &around, 0.0);
+        let ball = around.ball.expect("there is a ball");
+        let near = seen(&pose, around.aspect, ball);
+        let far = seen(&pose, around.aspect, ball + 0.5 * around.forward);
+        assert!(near.x.abs() < 1e-5 && far.x.abs() < 1e-5);
+        assert!(far.y > near.y && near.y > -1.0);
+    }
+
+    #[test]
+    fn a_change_of_mode_is_eased_and_arrives() {
+        let around = around(1.78);
+        let mut rig = Rig::default();
+        let start = rig.advance(CameraMode::BehindCue, &around, 0.0);
+        let goal = Rig::default().advance(CameraMode::Overhead, &around, 0.0);
+        let first = rig.advance(CameraMode::Overhead, &around, 0.016);
+        assert!(first.eye.distance(start.eye) < 0.25 * goal.eye.distance(start.eye));
+        let mut last = first;
+        for _ in 0..120 {
+            last = rig.advance(CameraMode::Overhead, &around, 0.016);
+        }
+        assert_eq!(last, goal);
+    }
+}

@@ -1,0 +1,78 @@
+//! The painted surface of a ball.
+
+use bevy::prelude::*;
+
+use crate::window::render::balls::numeral::Numeral;
+use crate::window::render::balls::palette::{Colour, IVORY, Marking};
+use crate::window::render::paint::{Paint, paint};
+
+/// Size of a ball's texture: once around by from pole to pole.
+const SIZE: (u32, u32) = (1024, 512);
+
+/// Half the width of a stripe, as the sine of its latitude.
+const STRIPE: f32 = 0.54;
+
+/// Radius of the circle around a number, in R.
+const CIRCLE: f32 = 0.40;
+
+/// Radius of a dot, in R.
+const DOT: f32 = 0.115;
+
+/// Paints a ball. Numbers sit on +x and −x, a stripe runs around the y axis.
+pub(super) fn skin(colour: Colour, marking: Marking, anisotropy: u16) -> Image {
+    let numeral = match marking {
+        Marking::Solid(number) | Marking::Stripe(number) => Some(Numeral::new(number)),
+        Marking::Dots => None,
+    };
+    paint(Paint::Colour, SIZE, anisotropy, |u, v| {
+        let direction = direction(u, v);
+        let mut paint = colour;
+        match marking {
+            Marking::Stripe(_) => {
+                paint = mix(IVORY, colour, soft(STRIPE - direction.y.abs(), 0.004));
+            }
+            Marking::Solid(_) => {}
+            Marking::Dots => {
+                let dot = if light(colour) > 0.5 {
+                    [0.72, 0.05, 0.07]
+                } else {
+                    IVORY
+                };
+                let away = direction.abs().max_element();
+                let radius = (1.0 - away * away).max(0.0).sqrt();
+                paint = mix(colour, dot, soft(DOT - radius, 0.006));
+            }
+        }
+        let Some(numeral) = &numeral else {
+            return paint;
+        };
+        // Seen from outside, right is −z on the +x side and +z on the −x side.
+        let (right, up) = (-direction.z * direction.x.signum(), direction.y);
+        let radius = libm::hypotf(right, up);
+        paint = mix(paint, IVORY, soft(CIRCLE - radius, 0.005));
+        let ink = numeral.at(right / (0.78 * CIRCLE), up / (0.78 * CIRCLE));
+        mix(paint, [0.02, 0.02, 0.025], ink)
+    })
+}
+
+/// The point of the unit sphere with these texture coordinates. The globe's mesh uses it too.
+pub(super) fn direction(u: f32, v: f32) -> Vec3 {
+    let longitude = std::f32::consts::TAU * u;
+    let latitude = std::f32::consts::PI * (0.5 - v);
+    let (up, around) = libm::sincosf(latitude);
+    let (z, x) = libm::sincosf(longitude);
+    Vec3::new(around * x, up, around * z)
+}
+
+fn light(colour: Colour) -> f32 {
+    colour.into_iter().sum::<f32>() / 3.0
+}
+
+fn mix(a: Colour, b: Colour, share: f32) -> Colour {
+    [0, 1, 2].map(|i| a[i] + share * (b[i] - a[i]))
+}
+
+/// 0 below zero, 1 above, over `width` to both sides.
+fn soft(x: f32, width: f32) -> f32 {
+    (0.5 + 0.5 * x / width).clamp(0.0, 1.0)
+}

@@ -1,0 +1,164 @@
+//! The room: lamps over the table, the floor, the dark around.
+
+use bevy::anti_alias::smaa::{Smaa, SmaaPreset};
+use bevy::asset::RenderAssetUsages;
+use bevy::camera::Exposure;
+use bevy::core_pipeline::tonemapping::Tonemapping;
+use bevy::light::{DirectionalLightShadowMap, NotShadowCaster};
+use bevy::mesh::{Indices, PrimitiveTopology};
+use bevy::prelude::*;
+
+use crate::sim::playfield::Playfield;
+use crate::window::render::Drawing;
+use crate::window::render::quality::RenderQuality;
+use crate::window::render::studio::studio;
+use crate::window::render::table::FLOOR;
+
+/// What surrounds the lit table.
+const DARK: Color = Color::srgb(0.018, 0.017, 0.018);
+
+/// Height of the lamps above the slate, m.
+const LAMP_HEIGHT: f32 = 1.15;
+
+pub(super) fn plugin(app: &mut App) {
+    let quality = *app.world().resource::<RenderQuality>();
+    app.insert_resource(ClearColor(DARK))
+        .insert_resource(GlobalAmbientLight::NONE)
+        .insert_resource(DirectionalLightShadowMap {
+            size: quality.shadow_map(),
+        })
+        .add_observer(equip_camera)
+        .add_systems(Startup, floor.in_set(Drawing::Room))
+        .add_systems(
+            RunFixedMainLoop,
+            hang_lamps
+                .in_set(Drawing::Room)
+                .run_if(resource_exists_and_changed::<Playfield>),
+        );
+}
+
+/// Gives a camera its film and the light of the room.
+fn equip_camera(
+    added: On<Add, Camera3d>,
+    mut commands: Commands,
+    mut images: ResMut<Assets<Image>>,
+    quality: Res<RenderQuality>,
+) {
+    let mut camera = commands.entity(added.entity);
+    camera.insert((
+        studio(&mut images),
+        Tonemapping::AcesFitted,
+        Exposure { ev100: 7.6 },
+    ));
+    match *quality {
+        RenderQuality::Low => camera.insert((
+            Msaa::Off,
+            Smaa {
+                preset: SmaaPreset::Low,
+            },
+        )),
+        RenderQuality::High => camera.insert(Msaa::Sample4),
+    };
+}
+
+/// A lamp over the table.
+#[derive(Component)]
+struct Lamp;
+
+/// Hangs a row of lamps that suits the length of the table.
+fn hang_lamps(
+    mut commands: Commands,
+    playfield: Res<Playfield>,
+    quality: Res<RenderQuality>,
+    old: Query<Entity, With<Lamp>>,
+    mut hung: Local<Option<(f64, f64)>>,
+) {
+    let size = (playfield.table.length, playfield.table.width);
+    if hung.replace(size) == Some(size) {
+        return;
+    }
+    for lamp in &old {
+        commands.entity(lamp).despawn();
+    }
+    let length = size.0.max(0.3) as f32;
+    // The middle lamp comes first: with one shadow, it is the one below the middle lamp.
+    let places = [0.0, -0.36, 0.36];
+    let reach = (0.5 * size.0.max(size.1) as f32).max(1.2);
+    let height = LAMP_HEIGHT * (reach / 1.27).max(1.0);
+    for (i, place) in places.into_iter().enumerate() {
+        let share = match (*quality, i) {
+            (RenderQuality::Low, 0) => 1.5,
+            (RenderQuality::Low, _) => 0.75,
+            (RenderQuality::High, _) => 1.0,
+        };
+        commands.spawn((
+            Lamp,
+            SpotLight {
+                color: Color::srgb(1.0, 0.94, 0.84),
+                intensity: 8_500.0 * share * (height * height) / (LAMP_HEIGHT * LAMP_HEIGHT),
+                range: 6.0 * height,
+                radius: 0.06,
+                shadow_maps_enabled: i < quality.shadows(),
+                shadow_depth_bias: 0.004,
+                shadow_normal_bias: 1.2,
+                shadow_map_near_z: 0.3 * height,
+                outer_angle: 1.25,
+                inner_angle: 0.7,
+                ..default()
+            },
+            Transform::from_xyz(place * length, height, 0.0)
+                .looking_at(Vec3::new(place * length, 0.0, 0.0), Vec3::X),
+        ));
+    }
+}
+
+/// A dark floor that fades into the room.
+fn floor(
+    mut commands: Commands,
+    mut meshes: ResMut<Assets<Mesh>>,
+    mut materials: ResMut<Assets<StandardMaterial>>,
+) {
+    let rings = [
+        (0.0, 1.0),
+        (1.5, 0.8),
+        (2.5, 0.4),
+        (4.0, 0.12),
+        (6.0, 0.0),
+        (12.0, 0.0),
+    ];
+    const SIDES: u32 = 48;
+    let (mut positions, mut colours, mut indices) = (Vec::new(), Vec::new(), Vec::new());
+    for (ring, &(radius, light)) in rings.iter().enumerate() {
+        for i in 0..=SIDES {
+            let at = Vec2::from_angle(std::f32::consts::TAU * i as f32 / SIDES as f32) * radius;
+            positions.push([at.x, -FLOOR as f32, at.y]);
+            colours.push([0.10 * light, 0.075 * light, 0.06 * light, 1.0]);
+            if ring > 0 && i > 0 {
+                let row = SIDES + 1;
+                let c = ring as u32 * row + i;
+                indices.extend([c, c - 1, c - row - 1, c, c - row - 1, c - row]);
+            }
+        }
+    }
+    let mesh = Mesh::new(
+        PrimitiveTopology::TriangleList,
+        RenderAssetUsages::RENDER_WORLD,
+    )
+    .with_inserted_attribute(
+        Mesh::ATTRIBUTE_NORMAL,
+        vec![[0.0, 1.0, 0.0]; positions.len()],
+    )
+    .with_inserted_attribute(Mesh::ATTRIBUTE_POSITION, positions)
+    .with_inserted_attribute(Mesh::ATTRIBUTE_COLOR, colours)
+    .with_inserted_indices(Indices::U32(indices));
+    commands.spawn((
+        Mesh3d(meshes.add(mesh)),
+        MeshMaterial3d(materials.add(StandardMaterial {
+            perceptual_roughness: 0.95,
+            reflectance: 0.0,
+            cull_mode: None,
+            ..default()
+        })),
+        NotShadowCaster,
+    ));
+}

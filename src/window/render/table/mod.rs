@@ -1,0 +1,181 @@
+//! The table, built from the geometry the balls meet. It is built anew when that geometry changes.
+
+mod cushions;
+mod frame;
+mod measures;
+mod noses;
+mod pockets;
+mod surfaces;
+
+pub(super) use measures::FLOOR;
+
+use bevy::light::NotShadowCaster;
+use bevy::math::{DVec2, DVec3};
+use bevy::prelude::*;
+
+use crate::physics::table::Table;
+use crate::sim::playfield::Playfield;
+use crate::window::render::plan::{area, circle};
+use crate::window::render::solid::Solid;
+use crate::window::render::{Drawing, quality::RenderQuality};
+use measures::Measures;
+use noses::Noses;
+use surfaces::Surfaces;
+
+pub(super) fn plugin(app: &mut App) {
+    app.add_systems(
+        RunFixedMainLoop,
+        build
+            .in_set(Drawing::Table)
+            .run_if(resource_exists_and_changed::<Playfield>),
+    );
+}
+
+/// A part of the drawn table.
+#[derive(Component)]
+struct Furniture;
+
+/// Replaces the drawn table if its geometry is another one.
+#[expect(
+    clippy::too_many_arguments,
+    reason = "two stores of assets, three sources"
+)]
+fn build(
+    mut commands: Commands,
+    mut meshes: ResMut<Assets<Mesh>>,
+    mut materials: ResMut<Assets<StandardMaterial>>,
+    mut images: ResMut<Assets<Image>>,
+    mut drawn: Local<Option<(Table, Surfaces)>>,
+    playfield: Res<Playfield>,
+    quality: Res<RenderQuality>,
+    old: Query<Entity, With<Furniture>>,
+) {
+    let table = &playfield.table;
+    let surfaces = match drawn.take() {
+        Some((old, surfaces)) if old == *table => {
+            *drawn = Some((old, surfaces));
+            return;
+        }
+        Some((_, surfaces)) => surfaces,
+        None => Surfaces::new(*quality, &mut images, &mut materials),
+    };
+    for entity in &old {
+        commands.entity(entity).despawn();
+    }
+    for part in parts(table) {
+        if part.solid.is_empty() {
+            continue;
+        }
+        let mut entity = commands.spawn((
+            Furniture,
+            Mesh3d(meshes.add(part.solid.mesh())),
+            MeshMaterial3d(surfaces.get(part.surface)),
+        ));
+        if !part.casts_shadow {
+            entity.insert(NotShadowCaster);
+        }
+    }
+    *drawn = Some((table.clone(), surfaces));
+}
+
+/// What a part is made of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Surface {
+    Cloth,
+    Wood,
+    Leather,
+    Pearl,
+    Hole,
+    Mark,
+}
+
+struct Part {
+    surface: Surface,
+    solid: Solid,
+    casts_shadow: bool,
+}
+
+impl Part {
+    fn new(surface: Surface, grain: DVec3, casts_shadow: bool) -> Self {
+        let tile = match surface {
+            Surface::Wood => 0.6,
+            _ => surfaces::CLOTH_TILE,
+        };
+        Self {
+            surface,
+            solid: Solid::new(grain, tile),
+            casts_shadow,
+        }
+    }
+}
+
+/// Every part of a table.
+fn parts(table: &Table) -> Vec<Part> {
+    let measures = Measures::of(table);
+    let noses = Noses::of(table, &measures);
+    let holes: Vec<Vec<DVec2>> = table
+        .pockets
+        .iter()
+        .map(|pocket| circle(pocket.center, pocket.radius, pockets::SIDES))
+        .collect();
+    let cuts: Vec<Vec<DVec2>> = table
+        .pockets
+        .iter()
+        .map(|pocket| {
+            circle(
+                pocket.center,
+                pocket.radius + 0.7 * measures.rim,
+                pockets::SIDES,
+            )
+        })
+        .collect();
+
+    let mut bed = Part::new(Surface::Cloth, DVec3::X, false);
+    let corner = measures.inner();
+    let outline = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)]
+        .map(|(x, z)| corner * DVec2::new(x, z));
+    for part in area(&outline, &holes) {
+        bed.solid.lid(part, 0.0);
+    }
+
+    let mut cushions = Part::new(Surface::Cloth, DVec3::X, true);
+    for points in &noses.rails {
+        cushions::cushion(&mut cushions.solid, points, &measures);
+    }
+
+    let mut long = Part::new(Surface::Wood, DVec3::X, false);
+    let mut short = Part::new(Surface::Wood, DVec3::Z, false);
+    frame::rails(&mut long.solid, &measures, &cuts, true);
+    frame::rails(&mut short.solid, &measures, &cuts, false);
+    frame::skirt(&mut long.solid, &measures);
+
+    let mut upright = Part::new(Surface::Wood, DVec3::Y, true);
+    frame::legs(&mut upright.solid, &measures);
+    for line in &noses.walls {
+        cushions::wall(&mut upright.solid, line, &measures);
+    }
+    for arc in &noses.pegs {
+        cushions::peg(&mut upright.solid, arc, &measures);
+    }
+
+    let mut leather = Part::new(Surface::Leather, DVec3::X, false);
+    let mut inside = Part::new(Surface::Hole, DVec3::X, false);
+    for pocket in &table.pockets {
+        pockets::rim(&mut leather.solid, pocket, &measures);
+        pockets::inside(&mut inside.solid, pocket);
+    }
+
+    let mut pearl = Part::new(Surface::Pearl, DVec3::X, false);
+    frame::diamonds(&mut pearl.solid, &measures, &cuts);
+
+    let mut marks = Part::new(Surface::Mark, DVec3::X, false);
+    for spot in [table.foot_spot(), table.head_spot()] {
+        let round = circle(spot, 0.004 * measures.scale, 16);
+        for part in area(&round, &[]) {
+            marks.solid.lid(part, 4e-4);
+        }
+    }
+    vec![
+        bed, cushions, long, short, upright, leather, inside, pearl, marks,
+    ]
+}
