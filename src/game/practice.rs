@@ -160,7 +160,7 @@ type Placed<'w, 's> = Query<
 >;
 
 /// Does what the player asked for.
-fn obey(
+pub(super) fn obey(
     mut commands: MessageReader<PracticeCommand>,
     mut practice: ResMut<Practice>,
     mut aim: ResMut<Aim>,

@@ -5,6 +5,7 @@
 
 use bevy::prelude::*;
 
+use crate::game::practice::{PracticeCommand, obey};
 use crate::physics::ball::State;
 use crate::physics::record::Record;
 use crate::sim::SimSystems;
@@ -128,10 +129,11 @@ impl Replay {
 pub(super) fn plugin(app: &mut App) {
     app.init_resource::<Replay>()
         .add_message::<ReplayCommand>()
+        .add_message::<PracticeCommand>()
         .add_systems(
             FixedUpdate,
             (
-                leave.before(SimSystems::Strike),
+                leave.before(obey).before(SimSystems::Strike),
                 (listen, show).chain().after(SimSystems::Judge),
             ),
         );
@@ -149,14 +151,15 @@ type Balls<'w, 's> = Query<
     ),
 >;
 
-/// A stroke or a new scene ends the replay: the table is put back first.
+/// A stroke, a new scene or a change of the table ends the replay: the table is put back first.
 fn leave(
     mut replay: ResMut<Replay>,
     mut balls: Balls,
     mut strikes: MessageReader<Strike>,
     mut scenes: MessageReader<LoadScene>,
+    mut commands: MessageReader<PracticeCommand>,
 ) {
-    if strikes.read().count() + scenes.read().count() > 0 {
+    if strikes.read().count() + scenes.read().count() + commands.read().count() > 0 {
         end(&mut replay, &mut balls);
     }
 }
