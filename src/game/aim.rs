@@ -31,8 +31,8 @@ impl Aim {
     #[must_use]
     pub fn heading_deg(&self) -> f64 {
         let degrees = self.shot.heading.to_degrees().rem_euclid(360.0);
-        // The remainder of a tiny negative angle rounds to the divisor itself.
-        if degrees >= 360.0 { 0.0 } else { degrees }
+        // The remainder of a tiny negative angle rounds to the divisor itself; adding zero turns −0 into 0.
+        if degrees >= 360.0 { 0.0 } else { degrees + 0.0 }
     }
 
     /// Turns the cue by this many degrees, counter-clockwise seen from above.

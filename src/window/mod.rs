@@ -20,7 +20,7 @@ use bevy::app::PluginGroupBuilder;
 use bevy::asset::AssetPlugin;
 use bevy::log::{Level, LogPlugin};
 use bevy::prelude::*;
-use bevy_egui::{EguiPlugin, EguiPrimaryContextPass};
+use bevy_egui::{EguiPlugin, EguiPreUpdateSet, EguiPrimaryContextPass};
 use leafwing_input_manager::plugin::InputManagerSystem;
 
 use crate::game::{GamePlugin, practice};
@@ -52,7 +52,9 @@ impl Plugin for WindowPlugin {
         app.init_schedule(EguiPrimaryContextPass)
             .configure_sets(
                 PreUpdate,
-                WindowSystems::Input.after(InputManagerSystem::ManualControl),
+                WindowSystems::Input
+                    .after(InputManagerSystem::ManualControl)
+                    .after(EguiPreUpdateSet::ProcessInput),
             )
             .configure_sets(
                 EguiPrimaryContextPass,

@@ -40,7 +40,7 @@ fn keys(
     mut help: ResMut<Help>,
     mut practice: ResMut<Practice>,
     mut notices: ResMut<notice::Notices>,
-    mut quit: MessageWriter<AppExit>,
+    mut commands: Commands,
 ) {
     if egui.wants_any_keyboard_input() {
         return;
@@ -56,6 +56,7 @@ fn keys(
     } else if practice.placing {
         practice.placing = false;
     } else if notices.quits(time.elapsed()) {
-        quit.write(AppExit::Success);
+        // Through commands: anybody may quit, in no order.
+        commands.write_message(AppExit::Success);
     }
 }

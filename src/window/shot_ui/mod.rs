@@ -89,8 +89,8 @@ fn show(mut contexts: EguiContexts, mut desk: Desk) -> Result {
         .open(&mut open)
         .default_pos(context.content_rect().right_top() + egui::vec2(-318.0, 8.0))
         .default_width(300.0)
-        .default_height(height - 60.0)
-        .resizable([false, true])
+        .max_height(height - 60.0)
+        .resizable(false)
         .vscroll(true)
         .show(context, |ui| {
             numbers::show(ui, &mut desk);
