@@ -6,6 +6,7 @@ mod cli;
 mod closeness;
 #[cfg(feature = "window")]
 mod controls;
+mod exact;
 mod frames;
 mod judges;
 mod practice;

@@ -120,6 +120,7 @@ pub struct Engine {
     pub(super) cluster: Cluster,
     pub(super) before: Vec<State>,
     pub(super) parting: Vec<f64>,
+    pub(super) lasting: Vec<bool>,
 }
 
 impl Engine {
@@ -169,6 +170,7 @@ impl Engine {
             cluster: Cluster::default(),
             before: Vec::new(),
             parting: Vec::new(),
+            lasting: Vec::new(),
         };
         for (index, ball) in scene.balls.iter().enumerate() {
             let state = scene.laws.motion.classify(&ball.ball, ball.state);

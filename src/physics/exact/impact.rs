@@ -7,7 +7,7 @@ use crate::physics::exact::engine::Engine;
 use crate::physics::exact::predict::Partner;
 use crate::physics::exact::walls::{Area, Wall, Walls};
 use crate::physics::exact::{CONTACT_TIME, DEEP, SLOW, SolveError, Watch};
-use crate::physics::laws::cluster::{Against, Blow, Member, PART, TOUCH, Touching};
+use crate::physics::laws::cluster::{Against, Blow, Member, PART, STILL, TOUCH, Touching};
 use crate::physics::record::{Event, EventKind, Participant};
 use crate::physics::table::Cushion;
 
@@ -74,7 +74,9 @@ impl Engine {
                 overlap,
             });
         }
-        let normal = DVec3::new(offset.x, 0.0, offset.z).normalize();
+        // Divided, not multiplied by the reciprocal: a row along an axis has exactly that axis for its normals.
+        let flat = DVec3::new(offset.x, 0.0, offset.z);
+        let normal = flat / flat.length();
         self.cluster.contacts.push(Touching {
             first,
             against: Against::Ball { member: second },
@@ -225,15 +227,18 @@ impl Engine {
         self.before.clear();
         self.before
             .extend(self.cluster.members.iter().map(|member| member.state));
+        self.lasting.clear();
         for index in 0..self.cluster.contacts.len() {
             let contact = self.cluster.contacts[index];
             let closing = self.cluster.closing(&contact);
-            if closing < SLOW
-                && closing > 0.0
-                && self.clock - self.last_touch(&contact) < CONTACT_TIME
-            {
+            let again = closing < SLOW && self.clock - self.last_touch(&contact) < CONTACT_TIME;
+            if again && closing > 0.0 {
                 self.cluster.contacts[index].restitution = Some(1.0);
             }
+            // What meets without closing is pressed together.
+            let pressed = index == 0 && closing <= STILL;
+            self.lasting
+                .push((again || pressed) && blow == Blow::Impact);
         }
         let laws = self.laws;
         self.cluster.resolve(&laws, blow);
@@ -297,7 +302,13 @@ impl Engine {
                     moves |= second.state.motion.translates();
                 }
                 if moves {
-                    let spring = 0.5 * CONTACT_TIME * press.dot(contact.normal);
+                    // A first touch parts as its law says; if it is pressed back at once it is lasting then.
+                    let time = if self.lasting[index] {
+                        CONTACT_TIME
+                    } else {
+                        0.0
+                    };
+                    let spring = 0.5 * time * press.dot(contact.normal);
                     parting = spring.max(PART);
                     // Two that only slide past each other are left alone, unless they are what met.
                     let met = index == 0 && partner != Partner::Nothing;

@@ -28,8 +28,6 @@ mod predict;
 mod queue;
 mod recorder;
 mod saved;
-#[cfg(test)]
-mod tests;
 mod walls;
 
 pub use engine::Engine;
@@ -45,7 +43,7 @@ use crate::physics::scene::{Scene, SceneError};
 
 /// Two contacts of the same two within this time in s are one lasting contact. Cushions hold a ball for about 8 ms
 /// (Sudo & Shibata 2002), balls touch for about 0.3 ms.
-pub const CONTACT_TIME: f64 = 2e-3;
+pub const CONTACT_TIME: f64 = 1e-3;
 
 /// Closing speed in m/s below which two contacts soon after each other are one lasting contact.
 pub const SLOW: f64 = 5e-3;
