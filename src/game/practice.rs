@@ -17,7 +17,7 @@ use crate::physics::table::{Preset, Table};
 use crate::sim::SimSystems;
 use crate::sim::clock::Clock;
 use crate::sim::components::{AngularVelocity, BallIndex, MotionKind, Position, Velocity};
-use crate::sim::messages::{AtRest, LoadScene, Strike, Struck};
+use crate::sim::messages::{AtRest, Failed, LoadScene, Strike, Struck};
 use crate::sim::playfield::{BallQuery, Playfield, snapshot};
 use crate::sim::recorder::Recorder;
 
@@ -92,6 +92,7 @@ pub(super) fn plugin(app: &mut App) {
                 (
                     keep.run_if(on_message::<Struck>),
                     settle.run_if(on_message::<AtRest>),
+                    recover.run_if(on_message::<Failed>),
                 )
                     .chain()
                     .in_set(SimSystems::Judge),
@@ -236,6 +237,13 @@ pub(super) fn obey(
         for ball in moved {
             put_down(&mut balls.p1(), &scene, ball);
         }
+    }
+}
+
+/// A shot that the solver could not follow is taken back.
+fn recover(mut failed: MessageReader<Failed>, mut commands: MessageWriter<PracticeCommand>) {
+    if failed.read().count() > 0 {
+        commands.write(PracticeCommand::Retry);
     }
 }
 

@@ -3,13 +3,13 @@
 use bevy::prelude::*;
 
 use crate::physics::ball::Motion;
-use crate::physics::record::{Event, EventKind, Participant};
+use crate::physics::record::{Event, EventKind, Participant, PathPiece};
 use crate::physics::scene::{Solver, strike_with};
 use crate::sim::SimSystems;
 use crate::sim::components::{
     AngularVelocity, BallIndex, Mass, MotionKind, Position, Radius, Velocity, ball_and_state,
 };
-use crate::sim::messages::{AtRest, Failed, Strike, Struck};
+use crate::sim::messages::{AtRest, Failed, PathTurned, Strike, Struck};
 use crate::sim::playfield::Playfield;
 
 /// Time of the shot. It starts again at zero with every stroke and every new scene, and stands while nothing moves.
@@ -86,6 +86,7 @@ type Balls<'w, 's> = Query<
 pub(super) fn strike(
     mut strikes: MessageReader<Strike>,
     mut struck: MessageWriter<Struck>,
+    mut turned: MessageWriter<PathTurned>,
     mut clock: ResMut<Clock>,
     playfield: Res<Playfield>,
     mut balls: Balls,
@@ -117,6 +118,13 @@ pub(super) fn strike(
             spin.0 = after.angular_velocity;
         }
         *clock = Clock::new(&playfield.solver);
+        turned.write(PathTurned {
+            ball: index.0,
+            piece: PathPiece {
+                time: 0.0,
+                piece: playfield.laws.motion.piece(&ball, &after),
+            },
+        });
         struck.write(Struck(Event {
             time: 0.0,
             kind: EventKind::Strike {

@@ -3,7 +3,7 @@
 use bevy::prelude::*;
 
 use crate::physics::cue::Shot;
-use crate::physics::record::Event;
+use crate::physics::record::{Event, PathPiece};
 use crate::physics::scene::Scene;
 
 /// Lay out this scene in place of the present one.
@@ -35,6 +35,15 @@ pub struct Pocketed(pub Event);
 #[derive(Message, Clone, Copy, Debug, PartialEq)]
 pub struct MotionChanged(pub Event);
 
+/// A ball has turned into a new piece of path.
+#[derive(Message, Clone, Copy, Debug, PartialEq)]
+pub struct PathTurned {
+    /// Index of the ball in the scene.
+    pub ball: usize,
+    /// The piece and the time at which it begins.
+    pub piece: PathPiece,
+}
+
 /// The last moving ball has come to rest.
 #[derive(Message, Clone, Copy, Debug, PartialEq)]
 pub struct AtRest {
@@ -47,9 +56,7 @@ pub struct AtRest {
 pub struct Failed {
     /// Seconds since the shot began.
     pub time: f64,
-    /// Index of the ball in the scene.
-    pub ball: usize,
-    /// What went wrong, with the numbers.
+    /// What went wrong, with names and numbers.
     pub reason: String,
 }
 
@@ -60,6 +67,7 @@ pub(super) fn plugin(app: &mut App) {
         .add_message::<Touched>()
         .add_message::<Pocketed>()
         .add_message::<MotionChanged>()
+        .add_message::<PathTurned>()
         .add_message::<AtRest>()
         .add_message::<Failed>();
 }

@@ -4,6 +4,7 @@
 
 pub mod clock;
 pub mod components;
+pub mod exact;
 pub mod messages;
 pub mod playfield;
 pub mod recorder;
@@ -44,6 +45,7 @@ impl Plugin for SimPlugin {
             messages::plugin,
             playfield::plugin,
             clock::plugin,
+            exact::plugin,
             stepped::plugin,
             recorder::plugin,
         ));

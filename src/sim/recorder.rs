@@ -2,8 +2,7 @@
 
 use bevy::prelude::*;
 
-use crate::physics::ball::{Ball, Motion, State};
-use crate::physics::laws::Laws;
+use crate::physics::ball::{Motion, State};
 use crate::physics::record::{EndReason, Event, Participant, PathPiece, Record};
 use crate::physics::scene::Scene;
 use crate::sim::SimSystems;
@@ -11,7 +10,7 @@ use crate::sim::clock::Clock;
 use crate::sim::components::{
     AngularVelocity, BallIndex, Mass, MotionKind, Position, Radius, Velocity, ball_and_state,
 };
-use crate::sim::messages::{MotionChanged, Pocketed, Struck, Touched};
+use crate::sim::messages::{MotionChanged, PathTurned, Pocketed, Struck, Touched};
 use crate::sim::playfield::{BallQuery, Playfield, snapshot};
 
 /// The events and the paths of the present shot, or of the last one while nothing moves.
@@ -70,13 +69,15 @@ impl Recorder {
         record
     }
 
-    fn turn(&mut self, laws: &Laws, ball: &Ball, index: usize, time: f64, state: State) {
-        if let Some(path) = self.paths.get_mut(index) {
-            path.push(PathPiece {
-                time,
-                piece: laws.motion.piece(ball, &state),
-            });
+    /// From this time on the ball follows this piece; one that ends where it began was never seen.
+    fn turn(&mut self, ball: usize, piece: PathPiece) {
+        let Some(path) = self.paths.get_mut(ball) else {
+            return;
+        };
+        if path.last().is_some_and(|last| last.time >= piece.time) {
+            path.pop();
         }
+        path.push(piece);
     }
 
     fn mark(&mut self, ball: usize, time: f64, state: State) {
@@ -124,6 +125,7 @@ fn record(
     mut touched: MessageReader<Touched>,
     mut pocketed: MessageReader<Pocketed>,
     mut changed: MessageReader<MotionChanged>,
+    mut turned: MessageReader<PathTurned>,
     clock: Res<Clock>,
     playfield: Res<Playfield>,
     balls: Query<(
@@ -154,31 +156,30 @@ fn record(
         .extend(changed.read().map(|message| message.0));
     // Messages of one kind come in order of time; the sort is stable, so equal times keep their kinds' order.
     recorder.events[first..].sort_by(|a, b| a.time.total_cmp(&b.time));
-    let bodies: Vec<Ball> = recorder
-        .before
-        .iter()
-        .flat_map(|scene| scene.balls.iter().map(|ball| ball.ball))
-        .collect();
     for at in first..recorder.events.len() {
         let event = recorder.events[at];
         for Participant { ball, after, .. } in event.participants() {
             recorder.mark(*ball, event.time, *after);
-            if let Some(body) = bodies.get(*ball) {
-                recorder.turn(&playfield.laws, body, *ball, event.time, *after);
-            }
         }
     }
+    for PathTurned { ball, piece } in turned.read() {
+        recorder.turn(*ball, *piece);
+    }
     for (index, position, velocity, spin, mass, radius, motion) in &balls {
-        let still = !motion.0.translates();
-        if still
-            && recorder
-                .trails
-                .get(index.0)
-                .is_some_and(|trail| !trail.is_empty())
-        {
+        if !motion.0.translates() {
             continue;
         }
-        let (_, state) = ball_and_state(position, velocity, spin, mass, radius, motion);
+        let (ball, state) = ball_and_state(position, velocity, spin, mass, radius, motion);
         recorder.mark(index.0, clock.time(), state);
+        if !playfield.laws.motion.is_closed_form() {
+            // The coursework's friction comes after each tick, so each tick is a piece of its own.
+            recorder.turn(
+                index.0,
+                PathPiece {
+                    time: clock.time(),
+                    piece: playfield.laws.motion.piece(&ball, &state),
+                },
+            );
+        }
     }
 }

@@ -9,6 +9,7 @@ mod controls;
 mod exact;
 mod frames;
 mod judges;
+mod live_exact;
 mod practice;
 mod properties;
 mod reference;

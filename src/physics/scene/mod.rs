@@ -61,17 +61,24 @@ impl Default for Stepped {
 }
 
 /// Which solver advances a scene.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub enum Solver {
     /// Every event at its own time.
+    #[default]
     Exact,
     /// A fixed tick.
     Stepped(Stepped),
 }
 
-impl Default for Solver {
-    fn default() -> Self {
-        Self::Stepped(Stepped::default())
+impl Solver {
+    /// The solver that these laws get where none is named: exact where there is a closed form.
+    #[must_use]
+    pub fn suited_to(laws: &Laws) -> Self {
+        if laws.motion.is_closed_form() {
+            Self::Exact
+        } else {
+            Self::Stepped(Stepped::default())
+        }
     }
 }
 
@@ -107,7 +114,7 @@ impl Scene {
             cue: Cue::default(),
             balls: Vec::new(),
             shot: None,
-            solver: Solver::default(),
+            solver: Solver::suited_to(&laws),
             time_limit: Self::TIME_LIMIT,
         }
     }

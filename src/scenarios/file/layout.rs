@@ -44,8 +44,9 @@ pub(super) struct SceneFile {
     fill: Option<Fill>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     shot: Option<ShotEntry>,
-    #[serde(default)]
-    solver: Solver,
+    /// The solver; without one, the one that suits the laws.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    solver: Option<Solver>,
     #[serde(default = "SceneFile::time_limit")]
     time_limit: f64,
 }
@@ -80,7 +81,7 @@ impl SceneFile {
             shot: scene
                 .shot
                 .and_then(|planned| ShotEntry::of(scene, &planned)),
-            solver: scene.solver,
+            solver: Some(scene.solver),
             time_limit: scene.time_limit,
         }
     }
@@ -95,7 +96,7 @@ impl SceneFile {
         }
         let mut scene = Scene::new(self.table.table(), self.laws.laws());
         scene.cue = self.cue;
-        scene.solver = self.solver;
+        scene.solver = self.solver.unwrap_or(scene.solver);
         scene.time_limit = self.time_limit;
         scene.check_surroundings()?;
         let ball = self.ball.or(Ball::POOL);

@@ -109,7 +109,7 @@ fn has_friction(playfield: Res<Playfield>) -> bool {
 }
 
 /// Runs one tick.
-fn advance(world: &mut World) {
+pub(super) fn advance(world: &mut World) {
     world.run_schedule(StepSchedule);
     world.resource_mut::<Clock>().ticks += 1;
 }

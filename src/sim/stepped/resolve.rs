@@ -5,8 +5,8 @@ use bevy::prelude::*;
 use crate::physics::ball::State;
 use crate::physics::laws::ball_ball::PairContact;
 use crate::physics::laws::cushion::CushionContact;
-use crate::physics::record::{Event, EventKind, Participant};
-use crate::sim::messages::{Failed, MotionChanged, Pocketed, Touched};
+use crate::physics::record::{Event, EventKind, Participant, PathPiece};
+use crate::sim::messages::{Failed, MotionChanged, PathTurned, Pocketed, Touched};
 use crate::sim::playfield::Playfield;
 use crate::sim::stepped::bodies::Bodies;
 use crate::sim::stepped::collide_cushions;
@@ -32,10 +32,21 @@ pub(super) fn resolve(
     mut touched: MessageWriter<Touched>,
     mut pocketed: MessageWriter<Pocketed>,
     mut changed: MessageWriter<MotionChanged>,
+    mut turned: MessageWriter<PathTurned>,
     mut failed: MessageWriter<Failed>,
 ) {
     while let Some(contact) = contacts.next(&bodies) {
         let event = happen(&mut bodies, &playfield, &contact);
+        for ball in [Some(contact.ball), other(&contact)].into_iter().flatten() {
+            let body = &bodies.all[ball];
+            turned.write(PathTurned {
+                ball: body.index,
+                piece: PathPiece {
+                    time: bodies.start + body.since,
+                    piece: body.piece,
+                },
+            });
+        }
         for ball in [Some(contact.ball), other(&contact)].into_iter().flatten() {
             grid.list(&mut bodies, ball, contact.time);
         }
@@ -64,8 +75,7 @@ pub(super) fn resolve(
     if let Some((ball, reason)) = contacts.failure.take() {
         failed.write(Failed {
             time: bodies.start,
-            ball: bodies.all[ball].index,
-            reason: reason.to_string(),
+            reason: format!("ball {}: {reason}", bodies.all[ball].index),
         });
     }
 }

@@ -57,8 +57,8 @@ pub(super) fn listen(
 ) {
     for failure in failed.read() {
         let text = format!(
-            "The solver stopped at {:.4} s, ball number {}: {}. R takes you back to before the shot.",
-            failure.time, failure.ball, failure.reason
+            "The solver stopped at {:.4} s: {}. The table is back as it was before the shot.",
+            failure.time, failure.reason
         );
         notices.tell(text, true, time.elapsed() + STAY);
     }
