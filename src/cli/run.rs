@@ -105,7 +105,7 @@ impl RunOptions {
         match (self.solver, scene.solver) {
             (Some(SolverName::Exact), _) => scene.solver = Solver::Exact,
             (Some(SolverName::Stepped), Solver::Exact) => {
-                scene.solver = Solver::Stepped(Stepped::default())
+                scene.solver = Solver::Stepped(Stepped::default());
             }
             _ => {}
         }

@@ -1,8 +1,9 @@
 //! Every built-in scene loads, plays headless and survives being written out.
 
 use masse::physics::ball::Motion;
+use masse::physics::exact::{self, Limits};
 use masse::physics::record::{EndReason, EventKind, Record};
-use masse::physics::scene::{Scene, Solver};
+use masse::physics::scene::{Scene, Solver, Stepped};
 use masse::scenarios::{file, library};
 use masse::sim::stepping;
 
@@ -67,6 +68,32 @@ fn every_built_in_scene_has_a_title_and_plays() {
             "{}: {:?} at {} s",
             built_in.name, record.reason, record.end_time
         );
+    }
+}
+
+#[test]
+fn both_solvers_end_the_same_where_nothing_is_chaotic() {
+    for name in [
+        "stop-shot",
+        "draw-back",
+        "stun-shot",
+        "follow",
+        "throw",
+        "masse",
+        "real-backspin",
+        "real-side-curve",
+    ] {
+        let mut scene = scene(name);
+        scene.solver = Solver::Stepped(Stepped::default());
+        let (stepped, _) = stepping::run_to_rest(&scene);
+        scene.solver = Solver::Exact;
+        let exact = exact::solve(&scene, Limits::default())
+            .unwrap_or_else(|error| panic!("{name}: {error}"));
+        for (ball, (one, other)) in stepped.end.iter().zip(&exact.end).enumerate() {
+            assert_eq!(one.motion, other.motion, "{name}: ball {ball}");
+            let apart = (one.position - other.position).length();
+            assert!(apart < 1e-6, "{name}: ball {ball} ends {apart} m apart");
+        }
     }
 }
 

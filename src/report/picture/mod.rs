@@ -175,8 +175,10 @@ mod tests {
     #[test]
     fn the_same_run_gives_the_same_text() {
         let scene = rack();
-        let mut record = Record::default();
-        record.end = scene.balls.iter().map(|ball| ball.state).collect();
+        let mut record = Record {
+            end: scene.balls.iter().map(|ball| ball.state).collect(),
+            ..Record::default()
+        };
         record.end[3].motion = Motion::Pocketed;
         let trails: Vec<Vec<(f64, State)>> =
             record.end.iter().map(|state| vec![(0.0, *state)]).collect();

@@ -104,6 +104,10 @@ fn a_fill_is_the_same_every_time_and_overlaps_nothing() {
 }
 
 #[test]
+#[expect(
+    clippy::too_many_lines,
+    reason = "one line for each mistake a person can make"
+)]
 fn what_is_wrong_is_named() {
     let long = "(".repeat(10_000_000);
     let cases: &[(&str, &[&str])] = &[
