@@ -181,6 +181,33 @@ fn options_change_the_scene() {
 }
 
 #[test]
+fn the_exact_solver_can_be_asked_for() {
+    let folder = folder("exact");
+    let run = output(
+        masse()
+            .args([
+                "run",
+                "break-nine",
+                "--solver",
+                "exact",
+                "--picture",
+                "nine.svg",
+            ])
+            .current_dir(&folder),
+    );
+    assert_eq!(run.status.code(), Some(0), "{}", err(&run));
+    let text = out(&run);
+    let summary: Value =
+        serde_json::from_str(text.lines().last().expect("a summary")).expect("JSON");
+    assert_eq!(summary["summary"]["solver"], "Exact");
+    assert_eq!(summary["summary"]["reason"], "rest");
+    let picture = std::fs::read_to_string(folder.join("nine.svg")).expect("a picture");
+    assert!(picture.matches("<polyline").count() >= 9);
+    let both = output(masse().args(["run", "break-nine", "--solver", "exact", "--tick", "0.01"]));
+    assert_eq!(both.status.code(), Some(2), "{}", err(&both));
+}
+
+#[test]
 fn bad_options_are_named() {
     let cases: &[(&[&str], &str)] = &[
         (&["run", "gas", "--tick", "0"], "solver.tick: 0"),
