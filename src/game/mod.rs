@@ -5,6 +5,7 @@ pub mod guide;
 pub mod history;
 pub mod placing;
 pub mod practice;
+pub mod preview;
 pub mod replay;
 pub mod target;
 pub mod view;

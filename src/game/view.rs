@@ -21,6 +21,8 @@ pub struct View {
     pub camera: CameraMode,
     /// The aim line, the ghost ball and what follows from them.
     pub guides: bool,
+    /// The paths of all balls for the present aim.
+    pub preview: bool,
     /// The paths of the last shot.
     pub trails: bool,
 }
@@ -30,6 +32,7 @@ impl Default for View {
         Self {
             camera: CameraMode::default(),
             guides: true,
+            preview: true,
             trails: false,
         }
     }

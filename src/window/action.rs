@@ -60,6 +60,8 @@ pub enum Action {
     Overhead,
     /// Show or hide the guides.
     Guides,
+    /// Show or hide the preview.
+    Preview,
     /// Show or hide the trails.
     Trails,
     /// Retry the last shot.
@@ -82,6 +84,22 @@ pub enum Action {
     Help,
     /// Close what is open, or quit.
     Close,
+    /// Replay the last shot, or leave the replay.
+    Replay,
+    /// Hold the replay or go on.
+    ReplayHold,
+    /// Turn the replay round.
+    ReplayBackwards,
+    /// Half as fast.
+    ReplaySlower,
+    /// Twice as fast.
+    ReplayFaster,
+    /// To the next event.
+    ReplayNext,
+    /// To the event before.
+    ReplayPrevious,
+    /// Begin again at the end.
+    ReplayLoop,
 }
 
 /// A key, button or movement.
@@ -110,11 +128,19 @@ pub enum Topic {
     View,
     /// What lies on the table.
     Table,
+    /// The last shot again.
+    Replay,
 }
 
 impl Topic {
     /// Every topic in the order of the help.
-    pub const ALL: [Self; 4] = [Self::Aim, Self::Strike, Self::View, Self::Table];
+    pub const ALL: [Self; 5] = [
+        Self::Aim,
+        Self::Strike,
+        Self::View,
+        Self::Table,
+        Self::Replay,
+    ];
 
     /// Its heading.
     #[must_use]
@@ -124,6 +150,7 @@ impl Topic {
             Self::Strike => "Strike",
             Self::View => "See and hear",
             Self::Table => "Table",
+            Self::Replay => "Replay",
         }
     }
 }
@@ -160,7 +187,7 @@ pub const CONTROLS: &[Line] = {
     use Action as A;
     use Control::{Button, Key, Modifier, Motion, Wheel};
     use KeyCode as K;
-    use Topic::{Aim, Strike, Table, View};
+    use Topic::{Aim, Replay, Strike, Table, View};
     &[
         line(A::Drag, &[Button(MouseButton::Left)], Aim, "drag to turn the cue; from overhead the cue points at the pointer"),
         line(A::AimLeft, &[Key(K::ArrowLeft)], Aim, "turn left: a tap is 1°, hold to keep turning"),
@@ -188,6 +215,7 @@ pub const CONTROLS: &[Line] = {
         line(A::ZoomIn, &[Key(K::Equal), Key(K::NumpadAdd)], View, "nearer"),
         line(A::ZoomOut, &[Key(K::Minus), Key(K::NumpadSubtract)], View, "farther"),
         line(A::Guides, &[Key(K::KeyG)], View, "aim line and ghost ball"),
+        line(A::Preview, &[Key(K::KeyL)], View, "paths of all balls for the present aim"),
         line(A::Trails, &[Key(K::KeyT)], View, "paths of the last shot"),
         line(A::FastForward, &[Key(K::KeyF)], View, "hold: play eight times as fast"),
         line(A::Mute, &[Key(K::KeyM)], View, "sound on or off"),
@@ -199,6 +227,14 @@ pub const CONTROLS: &[Line] = {
         line(A::Rack, &[Key(K::KeyN)], Table, "new rack: 8-ball and 9-ball in turn"),
         line(A::Place, &[Key(K::KeyB)], Table, "place balls: drag them; again to go on aiming"),
         line(A::InHand, &[Key(K::KeyI)], Table, "cue ball in hand"),
+        line(A::Replay, &[Key(K::KeyY)], Replay, "replay the last shot; again to go back to the table"),
+        line(A::ReplayHold, &[Key(K::KeyK)], Replay, "hold or go on; so does Space"),
+        line(A::ReplayBackwards, &[Key(K::KeyJ)], Replay, "backwards or forwards"),
+        line(A::ReplaySlower, &[Key(K::Semicolon)], Replay, "half as fast"),
+        line(A::ReplayFaster, &[Key(K::Quote)], Replay, "twice as fast"),
+        line(A::ReplayPrevious, &[Key(K::BracketLeft)], Replay, "to the event before"),
+        line(A::ReplayNext, &[Key(K::BracketRight)], Replay, "to the next event"),
+        line(A::ReplayLoop, &[Key(K::KeyU)], Replay, "begin again at the end"),
     ]
 };
 
@@ -225,6 +261,10 @@ fn key_name(key: KeyCode) -> String {
         KeyCode::Minus => "-".to_owned(),
         KeyCode::NumpadAdd => "Num +".to_owned(),
         KeyCode::NumpadSubtract => "Num -".to_owned(),
+        KeyCode::Semicolon => ";".to_owned(),
+        KeyCode::Quote => "'".to_owned(),
+        KeyCode::BracketLeft => "[".to_owned(),
+        KeyCode::BracketRight => "]".to_owned(),
         KeyCode::Escape => "Esc".to_owned(),
         KeyCode::ArrowLeft => "←".to_owned(),
         KeyCode::ArrowRight => "→".to_owned(),

@@ -168,7 +168,11 @@ fn the_parts_of_the_coursework_do_what_they_say() {
     let (_, record) = played("coursework-3-draw-english");
     let hit = record.events.first().expect("an event");
     assert_eq!(hit.kind, EventKind::BallBall);
-    assert!(record.end[0].position.x < hit.first.before.position.x - 0.1, "{:?}", record.end[0]);
+    assert!(
+        record.end[0].position.x < hit.first.before.position.x - 0.1,
+        "{:?}",
+        record.end[0]
+    );
     // English turns the path on the open cloth, before any cushion.
     let (record, recorder) = stepping::run_to_rest(&scene("coursework-3-side-curve"));
     let cushion = record.events.first().expect("a cushion").time;

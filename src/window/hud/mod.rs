@@ -2,6 +2,7 @@
 
 mod help;
 mod notice;
+mod replay;
 mod status;
 
 use bevy::prelude::*;
@@ -10,6 +11,7 @@ use bevy_egui::input::EguiWantsInput;
 use leafwing_input_manager::prelude::ActionState;
 
 use crate::game::practice::Practice;
+use crate::game::replay::Replay;
 use crate::window::WindowSystems;
 use crate::window::action::Action;
 
@@ -26,7 +28,7 @@ pub(super) fn plugin(app: &mut App) {
         .add_systems(Update, (notice::listen, keys).chain())
         .add_systems(
             EguiPrimaryContextPass,
-            (status::show, notice::show, help::show)
+            (status::show, replay::show, notice::show, help::show)
                 .chain()
                 .in_set(WindowSystems::Overlay),
         );
@@ -37,6 +39,7 @@ fn keys(
     actions: Single<&ActionState<Action>>,
     egui: Res<EguiWantsInput>,
     time: Res<Time<Real>>,
+    replay: Res<Replay>,
     mut help: ResMut<Help>,
     mut practice: ResMut<Practice>,
     mut notices: ResMut<notice::Notices>,
@@ -53,6 +56,8 @@ fn keys(
     }
     if help.open {
         help.open = false;
+    } else if replay.is_active() {
+        // The replay itself is left by its own keys.
     } else if practice.placing {
         practice.placing = false;
     } else if notices.quits(time.elapsed()) {

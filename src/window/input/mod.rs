@@ -4,6 +4,7 @@
 
 mod drag;
 mod keys;
+mod replay;
 mod stroke;
 mod table;
 mod view;
@@ -25,10 +26,11 @@ pub(super) fn plugin(app: &mut App) {
             PreUpdate,
             (
                 (
+                    replay::command,
                     table::command,
                     view::switch,
                     keys::aim,
-                    stroke::ask.run_if(not_stroking),
+                    stroke::ask.run_if(not_stroking.and_then(not(replay::is_on))),
                 )
                     .chain()
                     .run_if(not(egui_wants_any_keyboard_input)),

@@ -38,6 +38,9 @@ pub(super) fn switch(
     if actions.just_pressed(&Action::Guides) {
         view.guides = !view.guides;
     }
+    if actions.just_pressed(&Action::Preview) {
+        view.preview = !view.preview;
+    }
     if actions.just_pressed(&Action::Trails) {
         view.trails = !view.trails;
     }

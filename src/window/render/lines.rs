@@ -2,6 +2,8 @@
 
 use bevy::prelude::*;
 
+use crate::physics::ball::Motion;
+
 /// The lines of guides and trails.
 #[derive(Default, Reflect, GizmoConfigGroup)]
 pub(super) struct Strokes;
@@ -19,4 +21,15 @@ pub(super) fn plugin(app: &mut App) {
             ..default()
         },
     );
+}
+
+/// Sliding is warm, rolling is cool, flight is bright.
+pub(super) fn colour(motion: Motion) -> LinearRgba {
+    match motion {
+        Motion::Sliding => LinearRgba::new(1.0, 0.35, 0.05, 0.9),
+        Motion::Rolling | Motion::Rest | Motion::Spinning => LinearRgba::new(0.25, 0.75, 1.0, 0.9),
+        Motion::Gliding => LinearRgba::new(0.8, 0.8, 0.8, 0.9),
+        Motion::Airborne => LinearRgba::new(1.0, 1.0, 0.3, 0.9),
+        Motion::Pocketed => LinearRgba::NONE,
+    }
 }

@@ -6,6 +6,7 @@ mod guides;
 mod lines;
 mod paint;
 mod plan;
+mod preview;
 pub(super) mod quality;
 mod room;
 
@@ -32,6 +33,8 @@ enum Drawing {
     Cue,
     /// Aim line and ghost ball.
     Guides,
+    /// Paths of the shot being aimed.
+    Preview,
     /// Paths of the last shot.
     Trails,
 }
@@ -44,6 +47,7 @@ pub(super) fn plugin(app: &mut App) {
             Drawing::Balls,
             Drawing::Cue,
             Drawing::Guides,
+            Drawing::Preview,
             Drawing::Trails,
         )
             .chain()
@@ -58,6 +62,7 @@ pub(super) fn plugin(app: &mut App) {
             balls::plugin,
             cue::plugin,
             guides::plugin,
+            preview::plugin,
             trails::plugin,
         ));
 }

@@ -3,10 +3,9 @@
 use bevy::prelude::*;
 
 use crate::game::view::View;
-use crate::physics::ball::Motion;
 use crate::sim::recorder::Recorder;
 use crate::window::render::Drawing;
-use crate::window::render::lines::Strokes;
+use crate::window::render::lines::{Strokes, colour};
 
 pub(super) fn plugin(app: &mut App) {
     app.add_systems(RunFixedMainLoop, draw.in_set(Drawing::Trails));
@@ -22,16 +21,5 @@ fn draw(mut lines: Gizmos<Strokes>, view: Res<View>, recorder: Res<Recorder>) {
             let at = state.position.as_vec3();
             (at.with_y(0.002), colour(state.motion))
         }));
-    }
-}
-
-/// Sliding is warm, rolling is cool, flight is bright.
-fn colour(motion: Motion) -> LinearRgba {
-    match motion {
-        Motion::Sliding => LinearRgba::new(1.0, 0.35, 0.05, 0.9),
-        Motion::Rolling | Motion::Rest | Motion::Spinning => LinearRgba::new(0.25, 0.75, 1.0, 0.9),
-        Motion::Gliding => LinearRgba::new(0.8, 0.8, 0.8, 0.9),
-        Motion::Airborne => LinearRgba::new(1.0, 1.0, 0.3, 0.9),
-        Motion::Pocketed => LinearRgba::NONE,
     }
 }

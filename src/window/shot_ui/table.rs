@@ -58,6 +58,7 @@ pub(super) fn show(ui: &mut egui::Ui, desk: &mut Desk) {
             ui.selectable_value(&mut view.camera, mode, name);
         }
         ui.checkbox(&mut view.guides, "Guides");
+        ui.checkbox(&mut view.preview, "Preview");
         ui.checkbox(&mut view.trails, "Trails");
     });
     desk.view.set_if_neq(view);

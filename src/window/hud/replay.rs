@@ -1,0 +1,85 @@
+//! The bar of the replay: time to scrub, pace, events, loop.
+
+use bevy::prelude::*;
+use bevy_egui::{EguiContexts, egui};
+
+use crate::game::replay::{Playback, Replay, ReplayCommand};
+use crate::sim::clock::Clock;
+use crate::sim::recorder::Recorder;
+
+/// Paces the viewer can choose from.
+const RATES: [f64; 6] = [-1.0, -0.25, 0.1, 0.25, 1.0, 4.0];
+
+/// Lays out the bar while a replay runs, and else the button that starts one.
+pub(super) fn show(
+    mut contexts: EguiContexts,
+    replay: Res<Replay>,
+    recorder: Res<Recorder>,
+    clock: Res<Clock>,
+    mut commands: MessageWriter<ReplayCommand>,
+) -> Result {
+    let has_shot = !clock.moving && !recorder.events.is_empty();
+    if !replay.is_active() && !has_shot {
+        return Ok(());
+    }
+    let context = contexts.ctx_mut()?;
+    egui::Area::new(egui::Id::new("replay"))
+        .anchor(egui::Align2::RIGHT_BOTTOM, egui::vec2(-8.0, -8.0))
+        .show(context, |ui| {
+            egui::Frame::new()
+                .fill(egui::Color32::from_black_alpha(170))
+                .corner_radius(4.0)
+                .inner_margin(egui::Margin::symmetric(8, 4))
+                .show(ui, |ui| match &replay.0 {
+                    Some(playback) => bar(ui, playback, &mut commands),
+                    None => {
+                        if ui.button("Replay").clicked() {
+                            commands.write(ReplayCommand::Start);
+                        }
+                    }
+                });
+        });
+    Ok(())
+}
+
+fn bar(ui: &mut egui::Ui, playback: &Playback, commands: &mut MessageWriter<ReplayCommand>) {
+    let mut send = |command| {
+        commands.write(command);
+    };
+    ui.horizontal(|ui| {
+        let hold = if playback.playing { "Hold" } else { "Go on" };
+        for (name, hint, command) in [
+            ("<", "to the event before", ReplayCommand::StepEvent(false)),
+            (hold, "hold or go on", ReplayCommand::TogglePlay),
+            (">", "to the next event", ReplayCommand::StepEvent(true)),
+        ] {
+            if ui.button(name).on_hover_text(hint).clicked() {
+                send(command);
+            }
+        }
+        let mut time = playback.time;
+        let end = playback.record.end_time.max(1e-9);
+        ui.spacing_mut().slider_width = 220.0;
+        let slider = egui::Slider::new(&mut time, 0.0..=end)
+            .suffix(" s")
+            .fixed_decimals(3);
+        if ui.add(slider).changed() {
+            send(ReplayCommand::Seek(time));
+        }
+    });
+    ui.horizontal(|ui| {
+        for rate in RATES {
+            let chosen = (playback.rate - rate).abs() < 1e-9;
+            if ui.selectable_label(chosen, format!("{rate}x")).clicked() {
+                send(ReplayCommand::Rate(rate));
+            }
+        }
+        let mut looping = playback.looping;
+        if ui.checkbox(&mut looping, "Loop").changed() {
+            send(ReplayCommand::ToggleLoop);
+        }
+        if ui.button("Back to the table").clicked() {
+            send(ReplayCommand::Stop);
+        }
+    });
+}

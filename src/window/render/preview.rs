@@ -1,0 +1,102 @@
+//! The paths of the shot that is being aimed, and where every ball will stop.
+
+use bevy::prelude::*;
+
+use crate::game::aim::Aim;
+use crate::game::preview::Cached;
+use crate::game::replay::Replay;
+use crate::game::view::View;
+use crate::physics::ball::Motion;
+use crate::physics::record::Record;
+use crate::sim::clock::Clock;
+use crate::sim::playfield::{BallQuery, Playfield, snapshot};
+use crate::window::render::Drawing;
+use crate::window::render::lines::{Strokes, colour};
+
+/// Length in s of the chords that stand for a sliding curve.
+const CHORD: f64 = 0.02;
+/// Height of the lines above the cloth, m.
+const HEIGHT: f32 = 0.0015;
+
+pub(super) fn plugin(app: &mut App) {
+    app.add_systems(RunFixedMainLoop, draw.in_set(Drawing::Preview));
+}
+
+/// Draws the preview of the present aim while nothing moves.
+fn draw(
+    mut lines: Gizmos<Strokes>,
+    mut cached: Local<Cached>,
+    view: Res<View>,
+    aim: Res<Aim>,
+    clock: Res<Clock>,
+    replay: Res<Replay>,
+    playfield: Res<Playfield>,
+    balls: BallQuery,
+) {
+    if !view.preview || clock.moving || replay.is_active() || balls.is_empty() {
+        return;
+    }
+    let table = snapshot(&playfield, &balls);
+    if aim.ball >= table.balls.len() {
+        return;
+    }
+    let radii: Vec<f32> = table
+        .balls
+        .iter()
+        .map(|ball| ball.ball.radius as f32)
+        .collect();
+    let Some(record) = cached.of(table, aim.ball, &aim.shot) else {
+        return;
+    };
+    for (ball, radius) in radii.into_iter().enumerate() {
+        path(&mut lines, record, ball, radius);
+    }
+}
+
+/// Draws one path, and a ring where the ball stops.
+fn path(lines: &mut Gizmos<Strokes>, record: &Record, ball: usize, radius: f32) {
+    let pieces = &record.paths[ball];
+    let moves = pieces.iter().any(|p| p.piece.start.motion.translates());
+    if !moves {
+        return;
+    }
+    let mut points = Vec::new();
+    for (i, piece) in pieces.iter().enumerate() {
+        let motion = piece.piece.start.motion;
+        if motion == Motion::Pocketed {
+            break;
+        }
+        let until = pieces.get(i + 1).map_or(record.end_time, |next| next.time);
+        let length = (until - piece.time).max(0.0);
+        // Only a slide bends; everything else is a straight line.
+        let chords = if motion == Motion::Sliding {
+            (length / CHORD).ceil().clamp(1.0, 64.0) as u32
+        } else {
+            1
+        };
+        for chord in 0..=chords {
+            let time = length * f64::from(chord) / f64::from(chords);
+            let at = piece.piece.position(time).as_vec3().with_y(HEIGHT);
+            points.push((at, faint(colour(motion))));
+        }
+    }
+    lines.linestrip_gradient(points);
+    let end = &record.end[ball];
+    if end.motion != Motion::Pocketed {
+        let at = end.position.as_vec3().with_y(HEIGHT);
+        let flat = Quat::from_rotation_x(std::f32::consts::FRAC_PI_2);
+        lines.circle(
+            Isometry3d::new(at, flat),
+            radius,
+            faint(LinearRgba::new(0.9, 0.9, 0.9, 0.9)),
+        );
+    }
+}
+
+/// What is only planned is fainter than what has happened.
+fn faint(colour: LinearRgba) -> LinearRgba {
+    LinearRgba {
+        alpha: 0.45 * colour.alpha,
+        ..colour
+    }
+}
