@@ -1,6 +1,7 @@
 //! Everything a player can do with keys and mouse: one table for the controls and for the help.
 
 use bevy::prelude::*;
+use leafwing_input_manager::plugin::InputManagerSystem;
 use leafwing_input_manager::prelude::*;
 
 /// One thing a player can do. [`CONTROLS`] says how and what for.
@@ -302,5 +303,27 @@ pub(super) fn plugin(app: &mut App) {
     app.add_plugins(InputManagerPlugin::<Action>::default())
         .add_systems(Startup, |mut commands: Commands| {
             commands.spawn((Name::new("Controls"), default_keys()));
+        })
+        .add_systems(
+            PreUpdate,
+            catch_taps.in_set(InputManagerSystem::ManualControl),
+        );
+}
+
+/// A key that went down and up again within one frame counts as pressed in it: where frames are slow, no tap is lost.
+fn catch_taps(
+    mut actions: Single<&mut ActionState<Action>>,
+    keys: Res<ButtonInput<KeyCode>>,
+    buttons: Res<ButtonInput<MouseButton>>,
+) {
+    for line in CONTROLS {
+        let is_tapped = line.controls.iter().any(|control| match control {
+            Control::Key(key) => keys.just_pressed(*key) && !keys.pressed(*key),
+            Control::Button(button) => buttons.just_pressed(*button) && !buttons.pressed(*button),
+            _ => false,
         });
+        if is_tapped {
+            actions.press(&line.action);
+        }
+    }
 }

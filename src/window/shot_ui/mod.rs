@@ -89,19 +89,23 @@ fn show(mut contexts: EguiContexts, mut desk: Desk) -> Result {
         .open(&mut open)
         .default_pos(context.content_rect().right_top() + egui::vec2(-318.0, 8.0))
         .default_width(300.0)
-        .max_height(height - 60.0)
         .resizable(false)
-        .vscroll(true)
         .show(context, |ui| {
-            numbers::show(ui, &mut desk);
-            ui.separator();
-            table::show(ui, &mut desk);
-            ui.separator();
-            ui.collapsing("Last shot", |ui| last::show(ui, &desk));
-            ui.collapsing("Laws and solver", |ui| model::show(ui, &mut desk));
+            egui::ScrollArea::vertical()
+                .max_height(height - 80.0)
+                .show(ui, |ui| contents(ui, &mut desk));
         });
     if !open {
         desk.panel.open = false;
     }
     Ok(())
+}
+
+fn contents(ui: &mut egui::Ui, desk: &mut Desk) {
+    numbers::show(ui, desk);
+    ui.separator();
+    table::show(ui, desk);
+    ui.separator();
+    ui.collapsing("Last shot", |ui| last::show(ui, desk));
+    ui.collapsing("Laws and solver", |ui| model::show(ui, desk));
 }
