@@ -316,11 +316,13 @@ fn catch_taps(
     keys: Res<ButtonInput<KeyCode>>,
     buttons: Res<ButtonInput<MouseButton>>,
 ) {
+    let is_key_tapped = |key: KeyCode| keys.just_pressed(key) && !keys.pressed(key);
     for line in CONTROLS {
         let is_tapped = line.controls.iter().any(|control| match control {
-            Control::Key(key) => keys.just_pressed(*key) && !keys.pressed(*key),
+            Control::Key(key) => is_key_tapped(*key),
+            Control::Modifier(modifier) => modifier.keycodes().into_iter().any(is_key_tapped),
             Control::Button(button) => buttons.just_pressed(*button) && !buttons.pressed(*button),
-            _ => false,
+            Control::Wheel | Control::Motion => false,
         });
         if is_tapped {
             actions.press(&line.action);
