@@ -33,3 +33,27 @@ pub(super) fn colour(motion: Motion) -> LinearRgba {
         Motion::Pocketed => LinearRgba::NONE,
     }
 }
+
+/// Points nearer to each other than this, in m, are one: the joint of two lines needs both to have a direction.
+const NEAR: f32 = 1e-3;
+
+/// Draws a line through these points, each with its colour.
+pub(super) fn strip(
+    lines: &mut Gizmos<Strokes>,
+    points: impl IntoIterator<Item = (Vec3, LinearRgba)>,
+) {
+    let mut last: Option<Vec3> = None;
+    let apart: Vec<_> = points
+        .into_iter()
+        .filter(|(at, _)| {
+            let far = at.is_finite() && last.is_none_or(|last| last.distance(*at) >= NEAR);
+            if far {
+                last = Some(*at);
+            }
+            far
+        })
+        .collect();
+    if apart.len() > 1 {
+        lines.linestrip_gradient(apart);
+    }
+}

@@ -11,7 +11,7 @@ use crate::physics::record::Record;
 use crate::sim::clock::Clock;
 use crate::sim::playfield::{BallQuery, Playfield, snapshot};
 use crate::window::render::Drawing;
-use crate::window::render::lines::{Strokes, colour};
+use crate::window::render::lines::{Strokes, colour, strip};
 
 /// Length in s of the chords that stand for a sliding curve.
 const CHORD: f64 = 0.02;
@@ -80,7 +80,7 @@ fn path(lines: &mut Gizmos<Strokes>, record: &Record, ball: usize, radius: f32) 
             points.push((at, faint(colour(motion))));
         }
     }
-    lines.linestrip_gradient(points);
+    strip(lines, points);
     let end = &record.end[ball];
     if end.motion != Motion::Pocketed {
         let at = end.position.as_vec3().with_y(HEIGHT);

@@ -5,7 +5,7 @@ use bevy::prelude::*;
 use crate::game::view::View;
 use crate::sim::recorder::Recorder;
 use crate::window::render::Drawing;
-use crate::window::render::lines::{Strokes, colour};
+use crate::window::render::lines::{Strokes, colour, strip};
 
 pub(super) fn plugin(app: &mut App) {
     app.add_systems(RunFixedMainLoop, draw.in_set(Drawing::Trails));
@@ -17,9 +17,8 @@ fn draw(mut lines: Gizmos<Strokes>, view: Res<View>, recorder: Res<Recorder>) {
     }
     for trail in &recorder.trails {
         let points = trail.iter().filter(|(_, state)| state.motion.in_play());
-        lines.linestrip_gradient(points.map(|(_, state)| {
-            let at = state.position.as_vec3();
-            (at.with_y(0.002), colour(state.motion))
-        }));
+        let points =
+            points.map(|(_, state)| (state.position.as_vec3().with_y(0.002), colour(state.motion)));
+        strip(&mut lines, points);
     }
 }
