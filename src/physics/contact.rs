@@ -43,6 +43,7 @@ impl Track {
 ///
 /// # Errors
 /// [`RootError`] if a number is not finite.
+#[inline]
 pub fn pair(
     first: &Track,
     second: &Track,
@@ -52,11 +53,21 @@ pub fn pair(
     let offset = second.position - first.position;
     let velocity = second.velocity - first.velocity;
     let half = 0.5 * (second.acceleration - first.acceleration);
+    let gap = offset.length_squared() - reach * reach;
+    let slope = 2.0 * offset.dot(velocity);
+    let square = velocity.length_squared();
+    if half == DVec3::ZERO {
+        // Straight lines: most pairs open, or pass each other.
+        if gap > 0.0 && slope >= 0.0 && (gap + slope + square).is_finite() {
+            return Ok(None);
+        }
+        return roots::quadratic::first_closing([gap, slope, square], 0.0, horizon);
+    }
     circle(
         [
-            offset.length_squared() - reach * reach,
-            2.0 * offset.dot(velocity),
-            velocity.length_squared() + 2.0 * offset.dot(half),
+            gap,
+            slope,
+            square + 2.0 * offset.dot(half),
             2.0 * velocity.dot(half),
             half.length_squared(),
         ],

@@ -32,8 +32,8 @@ impl Cells {
     /// A grid for this many balls whose largest distance at contact is `reach`.
     pub(super) fn new(table: &Table, walls: &Walls, count: usize, reach: f64) -> Self {
         let area = DVec2::new(table.length, table.width);
-        // About 1.3 balls a cell where they are not packed more densely than that.
-        let wide = (1.3 * area.x * area.y / count as f64)
+        // About 0.7 balls a cell where they are not packed more densely than that.
+        let wide = (0.7 * area.x * area.y / count as f64)
             .sqrt()
             .max(1.000_001 * reach);
         let columns = (area.x / wide).floor().clamp(1.0, 4096.0);
@@ -127,25 +127,28 @@ impl Cells {
         self.cell_of[ball as usize] = NONE;
     }
 
-    /// The balls in the cell of a ball and in those around it, itself among them.
-    pub(super) fn around(&self, ball: u32) -> impl Iterator<Item = u32> {
+    /// Visits the balls in the cell of a ball and in those around it, itself among them, until one visit fails.
+    #[inline]
+    pub(super) fn around<E>(
+        &self,
+        ball: u32,
+        mut visit: impl FnMut(usize) -> Result<(), E>,
+    ) -> Result<(), E> {
         let cell = self.cell_of[ball as usize];
         let (column, row) = (cell % self.columns, cell / self.columns);
-        let columns = column.saturating_sub(1)..=(column + 1).min(self.columns - 1);
-        let rows = row.saturating_sub(1)..=(row + 1).min(self.rows - 1);
-        rows.flat_map(move |row| {
-            columns
-                .clone()
-                .map(move |column| row * self.columns + column)
-        })
-        .flat_map(move |cell| {
-            let mut ball = self.heads[cell as usize];
-            std::iter::from_fn(move || {
-                let found = (ball != NONE).then_some(ball)?;
-                ball = self.next[found as usize];
-                Some(found)
-            })
-        })
+        let left = column.saturating_sub(1);
+        let right = (column + 1).min(self.columns - 1);
+        for row in row.saturating_sub(1)..=(row + 1).min(self.rows - 1) {
+            let line = row * self.columns;
+            for &head in &self.heads[(line + left) as usize..=(line + right) as usize] {
+                let mut other = head;
+                while other != NONE {
+                    visit(other as usize)?;
+                    other = self.next[other as usize];
+                }
+            }
+        }
+        Ok(())
     }
 
     /// Places in the list of walls of all that can be touched in the cell of a ball.

@@ -1,5 +1,7 @@
 //! The table in motion.
 
+use glam::DVec3;
+
 use crate::physics::ball::{Ball, Motion, State};
 use crate::physics::contact::Track;
 use crate::physics::cue::{Cue, Shot};
@@ -22,6 +24,7 @@ const MANY_WALLS: usize = 120;
 
 /// What the search for contacts needs of a ball, packed.
 #[derive(Clone, Copy, Debug)]
+#[repr(align(64))]
 pub(super) struct Flight {
     pub(super) track: Track,
     pub(super) since: f64,
@@ -48,7 +51,20 @@ impl Flight {
         }
     }
 
+    /// Where it is now.
+    #[inline]
+    pub(super) fn place(&self, now: f64) -> DVec3 {
+        let age = now - self.since;
+        let Track {
+            position,
+            velocity,
+            acceleration,
+        } = self.track;
+        position + age * (velocity + (0.5 * age) * acceleration)
+    }
+
     /// The path seen from now: the same numbers as [`Track::of`] the piece.
+    #[inline]
     pub(super) fn seen(&self, now: f64) -> Track {
         if !self.moves {
             return self.track;
@@ -121,6 +137,7 @@ pub struct Engine {
     pub(super) before: Vec<State>,
     pub(super) parting: Vec<f64>,
     pub(super) lasting: Vec<bool>,
+    pub(super) near: Vec<usize>,
 }
 
 impl Engine {
@@ -171,6 +188,7 @@ impl Engine {
             before: Vec::new(),
             parting: Vec::new(),
             lasting: Vec::new(),
+            near: Vec::new(),
         };
         for (index, ball) in scene.balls.iter().enumerate() {
             let state = scene.laws.motion.classify(&ball.ball, ball.state);

@@ -122,49 +122,36 @@ impl Engine {
     fn gather(&mut self, partner: Partner) -> Result<(), SolveError> {
         let mut place = 0;
         while place < self.cluster.members.len() {
-            match self.cells.take() {
-                None => {
-                    for other in 0..self.flights.len() {
-                        self.gather_ball(place, other, partner)?;
+            let Member { ball, body, state } = self.cluster.members[place];
+            let mut near = std::mem::take(&mut self.near);
+            near.clear();
+            {
+                let mut look = |other: usize| {
+                    let flight = &self.flights[other];
+                    let reach = body.radius + flight.radius + TOUCH;
+                    let offset = flight.place(self.clock) - state.position;
+                    if offset.length_squared() <= reach * reach && flight.in_play && other != ball {
+                        near.push(other);
                     }
-                }
-                Some(cells) => {
-                    let ball = self.cluster.members[place].ball;
-                    let mut result = Ok(());
-                    for other in cells.around(ball as u32) {
-                        result = result.and(self.gather_ball(place, other as usize, partner));
-                    }
-                    self.cells = Some(cells);
-                    result?;
+                    Ok::<(), SolveError>(())
+                };
+                match &self.cells {
+                    None => (0..self.flights.len()).try_for_each(look)?,
+                    Some(cells) => cells.around(ball as u32, &mut look)?,
                 }
             }
+            // Cells list their balls in any order.
+            near.sort_unstable();
+            for &other in &near {
+                let joined = self.join(other);
+                let known = place == 0 && joined == 1 && matches!(partner, Partner::Ball(_));
+                if joined > place && !known {
+                    self.touch_balls(place, joined)?;
+                }
+            }
+            self.near = near;
             self.gather_cushions(place, partner)?;
             place += 1;
-        }
-        Ok(())
-    }
-
-    #[inline]
-    fn gather_ball(
-        &mut self,
-        place: usize,
-        other: usize,
-        partner: Partner,
-    ) -> Result<(), SolveError> {
-        let member = &self.cluster.members[place];
-        let flight = &self.flights[other];
-        if !flight.in_play || other == member.ball {
-            return Ok(());
-        }
-        let offset = flight.seen(self.clock).position - member.state.position;
-        let reach = member.body.radius + flight.radius + TOUCH;
-        if offset.length_squared() > reach * reach {
-            return Ok(());
-        }
-        let joined = self.join(other);
-        let known = place == 0 && joined == 1 && matches!(partner, Partner::Ball(_));
-        if joined > place && !known {
-            self.touch_balls(place, joined)?;
         }
         Ok(())
     }

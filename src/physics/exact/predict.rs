@@ -96,11 +96,9 @@ impl Engine {
                     self.search_pair(ball, &track, other, &mut search)?;
                 }
             }
-            Some(cells) => {
-                for other in cells.around(ball as u32) {
-                    self.search_pair(ball, &track, other as usize, &mut search)?;
-                }
-            }
+            Some(cells) => cells.around(ball as u32, |other| {
+                self.search_pair(ball, &track, other, &mut search)
+            })?,
         }
         if search.wait == f64::INFINITY {
             return Ok(Next::NEVER);

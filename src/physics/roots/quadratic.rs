@@ -11,16 +11,16 @@ use crate::physics::roots::{RootError, compensated};
 ///
 /// # Errors
 /// [`RootError`] if a coefficient is not finite or D overflows.
+#[inline]
 pub fn first_closing(c: [f64; 3], from: f64, horizon: f64) -> Result<Option<f64>, RootError> {
-    let error = RootError {
-        coefficients: [c[0], c[1], c[2], 0.0, 0.0],
-        from,
-    };
     let square = c[1] * c[1];
     let product = 4.0 * c[0] * c[2];
     let mut discriminant = square - product;
     if !(discriminant.is_finite() && from.is_finite()) {
-        return Err(error);
+        return Err(RootError {
+            coefficients: [c[0], c[1], c[2], 0.0, 0.0],
+            from,
+        });
     }
     if discriminant.abs() < 1e-3 * square {
         let exact = compensated::discriminant(c[2], c[1], c[0]);

@@ -1,6 +1,7 @@
 //! Smallest closing time of a quartic, made for the one root that a contact needs.
 //!
-//! 1. A bound: if the constant outweighs the sum of all that pulls down until the horizon, nothing is solved.
+//! 1. Two bounds: if the constant outweighs the sum of all that pulls down until the horizon, or if a parabola that lies
+//!    below the curve until then has no root, nothing is solved. Most pairs of balls end here.
 //! 2. The second derivative, a quadratic, cuts the interval into at most three stretches on which the quartic is
 //!    convex or concave. On a convex stretch that starts above zero, Newton's tangents lie below the curve, so Newton
 //!    walks monotonically towards the first root and can never jump over it; it ends at the root, at the bottom of
@@ -29,10 +30,16 @@ pub fn first_closing(c: [f64; 5], from: f64, horizon: f64) -> Result<Option<f64>
     if !(c.iter().sum::<f64>().is_finite() && from.is_finite()) {
         return Err(polynomial.error(from));
     }
+    // Two lower bounds.
     if c[0] > 0.0 && from == 0.0 {
-        let pull = c[1].min(0.0)
-            + horizon * (c[2].min(0.0) + horizon * (c[3].min(0.0) + horizon * c[4].min(0.0)));
+        let fall = c[3].min(0.0) + horizon * c[4].min(0.0);
+        let pull = c[1].min(0.0) + horizon * (c[2].min(0.0) + horizon * fall);
         if c[0] + horizon * pull > 1e-14 * c[0] {
+            return Ok(None);
+        }
+        // The parabola below the curve may pass zero above.
+        let bend = c[2] + horizon * fall;
+        if bend > 0.0 && c[1] * c[1] < (4.0 - 1e-12) * c[0] * bend {
             return Ok(None);
         }
     }
