@@ -1,13 +1,12 @@
 //! The table in motion.
 
-use glam::DVec3;
-
 use crate::physics::ball::{Ball, Motion, State};
-use crate::physics::contact::Track;
 use crate::physics::cue::{Cue, Shot};
 use crate::physics::exact::cells::Cells;
+use crate::physics::exact::flight::Flight;
 use crate::physics::exact::predict::{Next, Partner};
 use crate::physics::exact::queue::Queue;
+use crate::physics::exact::touched::Touched;
 use crate::physics::exact::walls::Walls;
 use crate::physics::exact::{CONTACT_TIME, Contact, Limits, SolveError, Watch};
 use crate::physics::laws::Laws;
@@ -21,94 +20,6 @@ const MANY: usize = 40;
 
 /// From this many cushions and pockets on they are found by cells.
 const MANY_WALLS: usize = 120;
-
-/// What the search for contacts needs of a ball, packed.
-#[derive(Clone, Copy, Debug)]
-#[repr(align(64))]
-pub(super) struct Flight {
-    pub(super) track: Track,
-    pub(super) since: f64,
-    pub(super) until: f64,
-    pub(super) radius: f64,
-    pub(super) moves: bool,
-    pub(super) in_play: bool,
-}
-
-impl Flight {
-    fn new(body: &Ball, path: &PathPiece) -> Self {
-        let start = &path.piece.start;
-        Self {
-            track: Track {
-                position: start.position,
-                velocity: start.velocity,
-                acceleration: path.piece.acceleration,
-            },
-            since: path.time,
-            until: path.time + path.piece.duration,
-            radius: body.radius,
-            moves: start.motion.translates(),
-            in_play: start.motion.in_play(),
-        }
-    }
-
-    /// Where it is now.
-    #[inline]
-    pub(super) fn place(&self, now: f64) -> DVec3 {
-        let age = now - self.since;
-        let Track {
-            position,
-            velocity,
-            acceleration,
-        } = self.track;
-        position + age * (velocity + (0.5 * age) * acceleration)
-    }
-
-    /// The path seen from now: the same numbers as [`Track::of`] the piece.
-    #[inline]
-    pub(super) fn seen(&self, now: f64) -> Track {
-        if !self.moves {
-            return self.track;
-        }
-        let age = now - self.since;
-        let Track {
-            position,
-            velocity,
-            acceleration,
-        } = self.track;
-        Track {
-            position: position + age * (velocity + (0.5 * age) * acceleration),
-            velocity: velocity + age * acceleration,
-            acceleration,
-        }
-    }
-}
-
-/// The last things that a ball touched, newest first.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Touched {
-    pub(super) what: [Partner; 4],
-    pub(super) time: [f64; 4],
-}
-
-impl Touched {
-    pub(super) const NOTHING: Self = Self {
-        what: [Partner::Nothing; 4],
-        time: [f64::NEG_INFINITY; 4],
-    };
-
-    pub(super) fn add(&mut self, what: Partner, time: f64) {
-        let place = self.what.iter().position(|old| *old == what).unwrap_or(3);
-        self.what[..=place].rotate_right(1);
-        self.time[..=place].rotate_right(1);
-        self.what[0] = what;
-        self.time[0] = time;
-    }
-
-    pub(super) fn last(&self, what: Partner) -> f64 {
-        let place = self.what.iter().position(|old| *old == what);
-        place.map_or(f64::NEG_INFINITY, |place| self.time[place])
-    }
-}
 
 /// A table in motion: advanced by any amount of time, asked for any state, struck, saved and restored, always with the
 /// same bits.

@@ -23,11 +23,14 @@
 
 mod cells;
 mod engine;
+mod flight;
+mod gather;
 mod impact;
 mod predict;
 mod queue;
 mod recorder;
 mod saved;
+mod touched;
 mod walls;
 
 pub use engine::Engine;

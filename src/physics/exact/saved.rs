@@ -3,8 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use crate::physics::ball::State;
-use crate::physics::exact::engine::Touched;
 use crate::physics::exact::predict::{Next, Partner};
+use crate::physics::exact::touched::Touched;
 use crate::physics::exact::{Engine, Limits, SolveError};
 use crate::physics::record::PathPiece;
 use crate::physics::scene::Scene;

@@ -78,7 +78,7 @@ pub(super) enum Wall {
 /// All cushions and pockets of a table.
 #[derive(Clone, Debug)]
 pub(super) struct Walls {
-    /// What, and the box in which the centre of the largest ball is when it touches; the longest first.
+    /// What, and the box in which the centre of the largest ball is when it touches; the long ones first.
     pub(super) list: Vec<(Wall, Area)>,
     /// No centre inside this box touches anything.
     open: Area,
@@ -86,7 +86,8 @@ pub(super) struct Walls {
 
 impl Walls {
     pub(super) fn new(table: &Table, radius: f64) -> Self {
-        let mut list: Vec<(Wall, Area)> = Vec::new();
+        let mut list: Vec<(Wall, Area)> =
+            Vec::with_capacity(table.cushions.len() + table.pockets.len());
         for (index, cushion) in table.cushions.iter().enumerate() {
             let (least, most) = cushion.bounds();
             list.push((
@@ -104,11 +105,11 @@ impl Walls {
                 area.grown(1.001 * pocket.radius),
             ));
         }
-        let length = |(wall, area): &(Wall, Area)| match wall {
-            Wall::Cushion(_) => (area.most - area.least).length(),
-            Wall::Pocket(_) => 0.0,
-        };
-        list.sort_by(|a, b| length(b).total_cmp(&length(a)));
+        // Long noses rule out most of the rest.
+        let is_long =
+            |(_, area): &(Wall, Area)| (area.most - area.least).max_element() > 8.0 * radius;
+        let (mut list, short): (Vec<_>, Vec<_>) = list.into_iter().partition(is_long);
+        list.extend(short);
         let half = DVec2::new(0.5 * table.length, 0.5 * table.width);
         let mut open = Area {
             least: -half,

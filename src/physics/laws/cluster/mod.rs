@@ -1,6 +1,7 @@
 //! Impacts of several touching bodies at one instant: racks, cradles, corners, balls frozen to each other or to a cushion.
 
 mod complementarity;
+mod friction;
 mod smith_2012;
 
 pub use smith_2012::{Cluster, ROUNDS};

@@ -19,7 +19,7 @@ use glam::DVec3;
 use crate::physics::laws::Laws;
 use crate::physics::laws::ball_ball::PairContact;
 use crate::physics::laws::cluster::complementarity::Complementarity;
-use crate::physics::laws::cluster::{Against, Blow, Member, PART, STILL, Touching};
+use crate::physics::laws::cluster::{Against, Blow, Member, STILL, Touching};
 use crate::physics::laws::cushion::CushionContact;
 
 /// Rounds of one impact before what is left is settled.
@@ -32,11 +32,11 @@ pub struct Cluster {
     pub members: Vec<Member>,
     /// Their contacts.
     pub contacts: Vec<Touching>,
-    system: Complementarity,
+    pub(super) system: Complementarity,
     active: Vec<usize>,
     group: Vec<usize>,
-    component: Vec<usize>,
-    changes: Vec<(DVec3, DVec3)>,
+    pub(super) component: Vec<usize>,
+    pub(super) changes: Vec<(DVec3, DVec3)>,
 }
 
 impl Cluster {
@@ -130,7 +130,12 @@ impl Cluster {
     }
 
     /// Applies the law of a contact and returns the normal impulse.
-    fn apply(&mut self, laws: &Laws, contact: &Touching, restitution: Option<f64>) -> f64 {
+    pub(super) fn apply(
+        &mut self,
+        laws: &Laws,
+        contact: &Touching,
+        restitution: Option<f64>,
+    ) -> f64 {
         let first = self.members[contact.first];
         match contact.against {
             Against::Ball { member } => {
@@ -162,7 +167,7 @@ impl Cluster {
         }
     }
 
-    fn restitution(contact: &Touching, laws: &Laws) -> f64 {
+    pub(super) fn restitution(contact: &Touching, laws: &Laws) -> f64 {
         contact
             .restitution
             .unwrap_or_else(|| match contact.against {
@@ -225,71 +230,10 @@ impl Cluster {
         }
     }
 
-    /// Adds the friction of one contact to the changes: what its law does beyond the normal impulse.
-    fn rub(&mut self, laws: &Laws, place: usize, inelastic: bool) {
-        let contact = self.contacts[self.component[place]];
-        let closing = self.closing(&contact);
-        let bounce = if inelastic {
-            0.0
-        } else {
-            Self::restitution(&contact, laws)
-        };
-        let impulse = (1.0 + bounce) * self.system.impulse[place];
-        if closing <= STILL || impulse <= 0.0 {
-            return;
-        }
-        let free = closing
-            / ends(&contact)
-                .map(|(ball, _)| 1.0 / self.members[ball].body.mass)
-                .sum::<f64>();
-        // The restitution with which this contact on its own would pass the impulse that it passes now.
-        let mut alike = impulse / free - 1.0;
-        if let Against::Cushion { .. } = contact.against {
-            alike = alike.clamp(0.0, 1.0);
-        }
-        let kept: [_; 2] = std::array::from_fn(|end| {
-            ends(&contact)
-                .nth(end)
-                .map(|(ball, _)| (ball, self.members[ball].state))
-        });
-        let passed = self.apply(laws, &contact, Some(alike));
-        for (ball, old) in kept.into_iter().flatten() {
-            let sign = if ball == contact.first { -1.0 } else { 1.0 };
-            let member = &mut self.members[ball];
-            let normal = sign * passed / member.body.mass * contact.normal;
-            self.changes[ball].0 += member.state.velocity - old.velocity - normal;
-            self.changes[ball].1 += member.state.angular_velocity - old.angular_velocity;
-            member.state = old;
-        }
-    }
-
     fn push(&mut self, contact: &Touching, impulse: f64) {
         for (ball, sign) in ends(contact) {
             let member = &mut self.members[ball];
             member.state.velocity += sign * impulse / member.body.mass * contact.normal;
-        }
-    }
-
-    /// Adds the changes by friction, no more of them than leaves the energy below `before`.
-    fn add_friction(&mut self, before: f64) {
-        let normal = (self.energy() - before).min(0.0);
-        let (mut linear, mut square) = (0.0, 0.0);
-        for (member, (velocity, spin)) in self.members.iter().zip(&self.changes) {
-            let (m, i) = (member.body.mass, member.body.inertia());
-            linear += m * member.state.velocity.dot(*velocity)
-                + i * member.state.angular_velocity.dot(*spin);
-            square += 0.5 * (m * velocity.length_squared() + i * spin.length_squared());
-        }
-        let share = if normal + linear + square <= 0.0 {
-            1.0
-        } else if square > 0.0 {
-            (-linear / (2.0 * square)).clamp(0.0, 1.0)
-        } else {
-            0.0
-        };
-        for (member, (velocity, spin)) in self.members.iter_mut().zip(&self.changes) {
-            member.state.velocity += share * *velocity;
-            member.state.angular_velocity += share * *spin;
         }
     }
 
@@ -301,19 +245,10 @@ impl Cluster {
             .map(|member| member.body.kinetic_energy(&member.state))
             .sum()
     }
-
-    /// Parts the contacts that lie still or are pressed together, so that none closes: contact i with at least
-    /// `parting[i]` m/s. Contacts that open faster by themselves are left alone.
-    pub fn part(&mut self, laws: &Laws, parting: &mut [f64]) {
-        for speed in parting.iter_mut() {
-            *speed = speed.max(PART);
-        }
-        self.settle(laws, parting);
-    }
 }
 
 /// The balls of a contact with the sign of a unit impulse on them along the normal.
-fn ends(contact: &Touching) -> impl Iterator<Item = (usize, f64)> {
+pub(super) fn ends(contact: &Touching) -> impl Iterator<Item = (usize, f64)> {
     let second = match contact.against {
         Against::Ball { member } => Some((member, 1.0)),
         Against::Cushion { .. } => None,

@@ -1,0 +1,175 @@
+//! The exact solver: breaks, a cut, previews, many balls, and a gas whose cost per collision must not grow with it.
+
+use std::hint::black_box;
+
+use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
+use glam::DVec3;
+use masse::physics::ball::Ball;
+use masse::physics::cue::Shot;
+use masse::physics::exact::{Engine, Limits, solve};
+use masse::physics::laws::Laws;
+use masse::physics::scene::{PlannedShot, Rack, Scene, Solver};
+use masse::physics::table::Preset;
+
+fn scene(table: Preset, laws: Laws) -> Scene {
+    let mut scene = Scene::new(table.table(), laws);
+    scene.solver = Solver::Exact;
+    scene
+}
+
+fn strike(scene: &mut Scene, shot: Shot) {
+    scene.shot = Some(PlannedShot { ball: 0, shot });
+}
+
+/// Plays the shot of a scene without writing anything down and returns the number of events.
+fn play(scene: &Scene) -> u64 {
+    let mut engine = Engine::new(scene, Limits::default()).expect("a sound scene");
+    if let Some(planned) = &scene.shot {
+        engine
+            .strike(planned.ball, &scene.cue, &planned.shot, &mut ())
+            .expect("a sound shot");
+    }
+    engine
+        .advance(scene.time_limit, &mut ())
+        .expect("a sound scene");
+    engine.events()
+}
+
+/// Shots with all of pool's laws: throw, spin, Han's cushions, jaws and pockets.
+fn shots(c: &mut Criterion) {
+    let mut group = c.benchmark_group("shot");
+    for (name, rack, gap) in [
+        ("nine-ball break, frozen", Rack::NineBall, 0.0),
+        ("nine-ball break, 0.1 mm gaps", Rack::NineBall, 1e-4),
+        ("eight-ball break, frozen", Rack::EightBall, 0.0),
+        ("eight-ball break, 0.1 mm gaps", Rack::EightBall, 1e-4),
+    ] {
+        let mut scene = scene(Preset::NineFoot, Laws::default());
+        rack.place(&mut scene, Ball::POOL, gap, 3);
+        let shot = Shot {
+            heading: 0.004,
+            side: 0.1,
+            height: 0.1,
+            speed: 7.0,
+            ..Shot::default()
+        };
+        strike(&mut scene, shot);
+        group.throughput(Throughput::Elements(play(&scene)));
+        group.bench_function(name, |b| b.iter(|| play(black_box(&scene))));
+        group.bench_function(format!("{name}, recorded"), |b| {
+            b.iter(|| solve(black_box(&scene), Limits::default()));
+        });
+    }
+    let mut scene = scene(Preset::NineFoot, Laws::default());
+    scene.place("cue", Ball::POOL, -0.5, 0.0);
+    scene.place("1", Ball::POOL, 0.1, 0.03);
+    let shot = Shot {
+        side: 0.3,
+        speed: 0.8,
+        ..Shot::default()
+    };
+    strike(&mut scene, shot);
+    group.throughput(Throughput::Elements(play(&scene)));
+    group.bench_function("two-ball cut with english", |b| {
+        b.iter(|| play(black_box(&scene)))
+    });
+    group.finish();
+}
+
+/// A ring of shots at nine balls spread over the table: what the aim preview computes every frame.
+fn previews(c: &mut Criterion) {
+    let scenes: Vec<Scene> = (0..100)
+        .map(|i| {
+            let mut scene = scene(Preset::NineFoot, Laws::default());
+            Rack::NineBall.place(&mut scene, Ball::POOL, 1e-4, i);
+            // The table after a break is a random table.
+            scene.balls[0].state.velocity = DVec3::new(8.0, 0.0, 0.01 * i as f64);
+            let record = solve(&scene, Limits::default()).expect("a sound break");
+            for (ball, state) in scene.balls.iter_mut().zip(record.end) {
+                ball.state = state;
+            }
+            scene.balls.retain(|ball| ball.state.motion.in_play());
+            let shot = Shot {
+                heading: 0.7 * i as f64,
+                side: 0.2,
+                speed: 4.0,
+                ..Shot::default()
+            };
+            strike(&mut scene, shot);
+            scene
+        })
+        .collect();
+    let mut next = 0;
+    c.bench_function("preview of nine-ball tables", |b| {
+        b.iter(|| {
+            next = (next + 1) % scenes.len();
+            solve(black_box(&scenes[next]), Limits::default())
+        });
+    });
+}
+
+/// Balls on a lattice at area fraction 0.4 in a square box, 1 m/s each.
+fn lattice(count: u32, laws: Laws, ball: Ball) -> Scene {
+    let columns = f64::from(count).sqrt().ceil();
+    let pitch = ball.radius * (std::f64::consts::PI / 0.4).sqrt();
+    let side = columns * pitch;
+    let mut scene = scene(
+        Preset::Box {
+            length: side,
+            width: side,
+        },
+        laws,
+    );
+    for i in 0..count {
+        let (column, row) = (f64::from(i) % columns, (f64::from(i) / columns).floor());
+        let place = |k: f64| (k + 0.5) * pitch - 0.5 * side;
+        let index = scene.place(&i.to_string(), ball, place(column), place(row));
+        let angle = f64::from(i) * 2.399_963;
+        scene.balls[index].state.velocity = DVec3::new(libm::cos(angle), 0.0, libm::sin(angle));
+    }
+    scene
+}
+
+/// 200 balls that all move, with cloth, throw and cushions.
+fn crowd(c: &mut Criterion) {
+    let mut scene = lattice(200, Laws::default(), Ball::POOL);
+    scene.time_limit = 1.0;
+    let mut group = c.benchmark_group("crowd");
+    group.throughput(Throughput::Elements(play(&scene)));
+    group.bench_function("200 balls, first second", |b| {
+        b.iter(|| play(black_box(&scene)))
+    });
+    group.finish();
+}
+
+/// A frictionless gas of equal discs: collisions per second against the number of balls.
+fn gas(c: &mut Criterion) {
+    let mut group = c.benchmark_group("gas");
+    group.sample_size(20);
+    let ball = Ball {
+        spins: false,
+        ..Ball::POOL
+    };
+    for count in [16, 100, 1000, 10_000, 100_000] {
+        let scene = lattice(count, Laws::ideal(), ball);
+        let limits = Limits { events: u64::MAX };
+        let mut engine = Engine::new(&scene, limits).expect("a sound scene");
+        engine.advance(0.2, &mut ()).expect("a sound scene");
+        let mut tick = |seconds: f64| {
+            let before = engine.events();
+            let until = engine.time() + seconds;
+            engine.advance(until, &mut ()).expect("a sound scene");
+            engine.events() - before
+        };
+        // About 10,000 collisions a go.
+        let seconds = 400.0 / f64::from(count);
+        group.throughput(Throughput::Elements(tick(seconds)));
+        group.bench_function(BenchmarkId::from_parameter(count), |b| {
+            b.iter(|| tick(black_box(seconds)))
+        });
+    }
+    group.finish();
+}
+
+criterion_group!(benches, shots, previews, crowd, gas);
+criterion_main!(benches);

@@ -1,0 +1,175 @@
+//! Who touches whom at this moment.
+
+use glam::{DVec2, DVec3};
+
+use crate::physics::exact::engine::Engine;
+use crate::physics::exact::predict::Partner;
+use crate::physics::exact::walls::{Area, Wall, Walls};
+use crate::physics::exact::{DEEP, SolveError};
+use crate::physics::laws::cluster::{Against, Member, TOUCH, Touching};
+use crate::physics::table::Cushion;
+
+impl Engine {
+    /// Adds a ball to the cluster and returns its place.
+    pub(super) fn join(&mut self, ball: usize) -> usize {
+        if let Some(place) = self
+            .cluster
+            .members
+            .iter()
+            .position(|member| member.ball == ball)
+        {
+            return place;
+        }
+        self.cluster.members.push(Member {
+            ball,
+            body: self.bodies[ball],
+            state: self.state(ball),
+        });
+        self.cluster.members.len() - 1
+    }
+
+    pub(super) fn touch_balls(&mut self, first: usize, second: usize) -> Result<(), SolveError> {
+        let (one, two) = (&self.cluster.members[first], &self.cluster.members[second]);
+        let offset = two.state.position - one.state.position;
+        let overlap = one.body.radius + two.body.radius - offset.length();
+        if overlap > DEEP {
+            return Err(SolveError::Overlap {
+                ball: self.names[one.ball].clone(),
+                other: format!("ball `{}`", self.names[two.ball]),
+                time: self.clock,
+                overlap,
+            });
+        }
+        // Divided, not multiplied by the reciprocal: a row along an axis has exactly that axis for its normals.
+        let flat = DVec3::new(offset.x, 0.0, offset.z);
+        let normal = flat / flat.length();
+        self.cluster.contacts.push(Touching {
+            first,
+            against: Against::Ball { member: second },
+            normal,
+            nose_height: 0.0,
+            restitution: None,
+            impulse: 0.0,
+        });
+        Ok(())
+    }
+
+    pub(super) fn touch_cushion(&mut self, first: usize, cushion: u32) -> Result<(), SolveError> {
+        let member = &self.cluster.members[first];
+        let position = member.state.position;
+        let (distance, direction) =
+            Walls::gap(&self.table, cushion, DVec2::new(position.x, position.z));
+        let overlap = member.body.radius - distance;
+        if overlap > DEEP {
+            return Err(SolveError::Overlap {
+                ball: self.names[member.ball].clone(),
+                other: format!("cushion {cushion}"),
+                time: self.clock,
+                overlap,
+            });
+        }
+        let index = cushion as usize;
+        self.cluster.contacts.push(Touching {
+            first,
+            against: Against::Cushion { cushion: index },
+            normal: -DVec3::new(direction.x, 0.0, direction.y),
+            nose_height: self.laws.cushion.nose_height(
+                self.table.nose_height,
+                &member.body,
+                &self.table.cushions[index],
+            ),
+            restitution: None,
+            impulse: 0.0,
+        });
+        Ok(())
+    }
+
+    /// Adds everything that touches the members, and what touches that.
+    pub(super) fn gather(&mut self, partner: Partner) -> Result<(), SolveError> {
+        let mut place = 0;
+        while place < self.cluster.members.len() {
+            let Member { ball, body, state } = self.cluster.members[place];
+            let mut near = std::mem::take(&mut self.near);
+            near.clear();
+            {
+                let mut look = |other: usize| {
+                    let flight = &self.flights[other];
+                    let reach = body.radius + flight.radius + TOUCH;
+                    let offset = flight.place(self.clock) - state.position;
+                    if offset.length_squared() <= reach * reach && flight.in_play && other != ball {
+                        near.push(other);
+                    }
+                    Ok::<(), SolveError>(())
+                };
+                match &self.cells {
+                    None => (0..self.flights.len()).try_for_each(look)?,
+                    Some(cells) => cells.around(ball as u32, &mut look)?,
+                }
+            }
+            // Cells list their balls in any order.
+            near.sort_unstable();
+            for &other in &near {
+                let joined = self.join(other);
+                let known = place == 0 && joined == 1 && matches!(partner, Partner::Ball(_));
+                if joined > place && !known {
+                    self.touch_balls(place, joined)?;
+                }
+            }
+            self.near = near;
+            self.gather_cushions(place, partner)?;
+            place += 1;
+        }
+        Ok(())
+    }
+
+    pub(super) fn gather_cushions(
+        &mut self,
+        place: usize,
+        partner: Partner,
+    ) -> Result<(), SolveError> {
+        let member = &self.cluster.members[place];
+        let (ball, radius) = (member.ball, member.body.radius);
+        let point = DVec2::new(member.state.position.x, member.state.position.z);
+        let here = Area {
+            least: point,
+            most: point,
+        };
+        if self.walls.is_open(&here) {
+            return Ok(());
+        }
+        let count = match &self.cells {
+            Some(cells) => cells.walls(ball as u32).len(),
+            None => self.walls.list.len(),
+        };
+        for index in 0..count {
+            let index = match &self.cells {
+                Some(cells) => cells.walls(ball as u32)[index] as usize,
+                None => index,
+            };
+            let (wall, area) = self.walls.list[index];
+            let Wall::Cushion(cushion) = wall else {
+                continue;
+            };
+            if !area.meets(&here) || (place == 0 && partner == Partner::Cushion(cushion)) {
+                continue;
+            }
+            if self.touches(cushion, point, radius) {
+                self.touch_cushion(place, cushion)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether a ball touches a cushion; a line has no end caps.
+    pub(super) fn touches(&self, cushion: u32, point: DVec2, radius: f64) -> bool {
+        let (distance, _) = Walls::gap(&self.table, cushion, point);
+        let beside = match &self.table.cushions[cushion as usize] {
+            Cushion::Line(line) => {
+                let along = line.to - line.from;
+                (0.0..=along.length_squared()).contains(&(point - line.from).dot(along))
+            }
+            Cushion::Arc(_) => true,
+        };
+        beside && distance <= radius + TOUCH && distance > radius - DEEP
+    }
+}
