@@ -71,7 +71,7 @@ fn shots(c: &mut Criterion) {
     strike(&mut scene, shot);
     group.throughput(Throughput::Elements(play(&scene)));
     group.bench_function("two-ball cut with english", |b| {
-        b.iter(|| play(black_box(&scene)))
+        b.iter(|| play(black_box(&scene)));
     });
     group.finish();
 }
@@ -137,7 +137,7 @@ fn crowd(c: &mut Criterion) {
     let mut group = c.benchmark_group("crowd");
     group.throughput(Throughput::Elements(play(&scene)));
     group.bench_function("200 balls, first second", |b| {
-        b.iter(|| play(black_box(&scene)))
+        b.iter(|| play(black_box(&scene)));
     });
     group.finish();
 }
@@ -165,7 +165,7 @@ fn gas(c: &mut Criterion) {
         let seconds = 400.0 / f64::from(count);
         group.throughput(Throughput::Elements(tick(seconds)));
         group.bench_function(BenchmarkId::from_parameter(count), |b| {
-            b.iter(|| tick(black_box(seconds)))
+            b.iter(|| tick(black_box(seconds)));
         });
     }
     group.finish();

@@ -13,7 +13,7 @@
 //!
 //! **Lasting contact.** A ball that is pressed against a cushion or another ball by the friction under it would bounce
 //! ever more often. Two rules end that. A contact that closes at less than [`SLOW`] less than [`CONTACT_TIME`] after the same
-//! two touched loses nothing (the TC model of Luding & McNamara, Granular Matter 1 (1998) 113), and a contact that is
+//! two touched loses nothing (the TC model of Luding et al., Granular Matter 1 (1998) 113), and a contact that is
 //! pressed together by a parts with at least a [`CONTACT_TIME`] / 2. So two that rest against each other touch once every
 //! [`CONTACT_TIME`] at most, with gaps of some micrometres; the pair is then in [`Contact::Resting`].
 //!

@@ -41,7 +41,7 @@ impl Queue {
     /// Sets the time of a ball's next event.
     pub(super) fn set(&mut self, ball: usize, time: f64) {
         self.times[ball] = time;
-        let mut node = (ball + self.leaves) / 2;
+        let mut node = (ball + self.leaves) >> 1;
         let mut winner = if self.times[ball | 1] < self.times[ball & !1] {
             ball | 1
         } else {
