@@ -6,11 +6,12 @@ use bevy::window::PrimaryWindow;
 use bevy_egui::input::EguiWantsInput;
 use glam::{DVec2, DVec3};
 
+use super::motion::Motion;
 use super::{Actions, fineness, on_panel};
 use crate::game::aim::Aim;
 use crate::game::practice::{Practice, PracticeCommand};
 use crate::game::view::{CameraInput, CameraMode, View};
-use crate::physics::ball::Motion;
+use crate::physics::ball;
 use crate::physics::cue::Shot;
 use crate::sim::clock::Clock;
 use crate::sim::components::{BallIndex, MotionKind, Position, Radius};
@@ -125,7 +126,7 @@ fn under(pointer: &Pointer, balls: &Balls) -> Option<Held> {
     let (origin, direction) = pointer.ray()?;
     balls
         .iter()
-        .filter(|ball| ball.3.0 != Motion::Pocketed)
+        .filter(|ball| ball.3.0 != ball::Motion::Pocketed)
         .filter_map(|(index, position, radius, _)| {
             let to = position.0 - origin;
             let depth = to.dot(direction);
@@ -145,6 +146,7 @@ pub(super) fn aim(
     view: Res<View>,
     pointer: Pointer,
     balls: Balls,
+    motion: Res<Motion>,
     mut grip: ResMut<Grip>,
     mut aim: ResMut<Aim>,
 ) {
@@ -153,7 +155,7 @@ pub(super) fn aim(
     }
     let fine = fineness(&actions);
     if view.camera != CameraMode::Overhead {
-        let moved = actions.axis_pair(&Action::Move).x;
+        let moved = motion.0.x;
         if moved != 0.0 {
             aim.turn_deg(-TURN_DEG * fine * f64::from(moved));
         }
@@ -210,10 +212,14 @@ pub(super) fn place(
 }
 
 /// Turns the camera, or moves it.
-pub(super) fn look(actions: Actions, grip: Res<Grip>, mut camera: MessageWriter<CameraInput>) {
-    let moved = actions.axis_pair(&Action::Move);
+pub(super) fn look(
+    actions: Actions,
+    grip: Res<Grip>,
+    motion: Res<Motion>,
+    mut camera: MessageWriter<CameraInput>,
+) {
     // Up on the screen is up in the world.
-    let moved = Vec2::new(moved.x, -moved.y);
+    let moved = Vec2::new(motion.0.x, -motion.0.y);
     if !grip.look || moved == Vec2::ZERO {
         return;
     }

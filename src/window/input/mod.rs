@@ -4,6 +4,7 @@
 
 mod drag;
 mod keys;
+mod motion;
 mod replay;
 mod stroke;
 mod table;
@@ -21,6 +22,7 @@ type Actions<'w, 's> = Single<'w, 's, &'static ActionState<Action>>;
 
 pub(super) fn plugin(app: &mut App) {
     app.init_resource::<drag::Grip>()
+        .init_resource::<motion::Motion>()
         .init_resource::<stroke::Cueing>()
         .add_systems(
             PreUpdate,
@@ -34,6 +36,7 @@ pub(super) fn plugin(app: &mut App) {
                 )
                     .chain()
                     .run_if(not(egui_wants_any_keyboard_input)),
+                motion::follow,
                 drag::grip,
                 drag::wheel,
                 drag::aim,

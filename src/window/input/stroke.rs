@@ -4,6 +4,7 @@ use bevy::prelude::*;
 use bevy_egui::input::EguiWantsInput;
 
 use super::Actions;
+use super::motion::Motion;
 use crate::game::aim::{Aim, Swing};
 use crate::sim::clock::Clock;
 use crate::sim::messages::Strike;
@@ -94,6 +95,7 @@ pub(super) fn by_hand(
     time: Res<Time<Real>>,
     clock: Res<Clock>,
     egui: Res<EguiWantsInput>,
+    motion: Res<Motion>,
     mut cueing: ResMut<Cueing>,
     mut aim: ResMut<Aim>,
     mut strikes: MessageWriter<Strike>,
@@ -112,7 +114,7 @@ pub(super) fn by_hand(
     let Cueing::InHand(hand) = &mut *cueing else {
         return;
     };
-    let pixels = f64::from(actions.axis_pair(&Action::Move).y);
+    let pixels = f64::from(motion.0.y);
     hand.pull(pixels, time.delta_secs_f64());
     if hand.back > 0.0 {
         aim.draw_back = hand.back;
