@@ -25,6 +25,9 @@ use crate::sim::recorder::Recorder;
 use crate::window::WindowSystems;
 use crate::window::action::Action;
 
+/// Width of the panel in points.
+const WIDTH: f32 = 286.0;
+
 /// Whether the panel is open, and how it is set up.
 #[derive(Resource, Debug)]
 struct ShotPanel {
@@ -88,9 +91,9 @@ fn show(mut contexts: EguiContexts, mut desk: Desk) -> Result {
     egui::Window::new("Shot")
         .open(&mut open)
         .default_pos(context.content_rect().right_top() + egui::vec2(-318.0, 8.0))
-        .default_width(300.0)
-        .resizable(false)
+        .auto_sized()
         .show(context, |ui| {
+            ui.set_width(WIDTH);
             egui::ScrollArea::vertical()
                 .max_height(height - 80.0)
                 .show(ui, |ui| contents(ui, &mut desk));
