@@ -4,7 +4,8 @@ use bevy::prelude::*;
 
 use crate::physics::ball::Motion;
 
-/// The lines of guides and trails.
+/// The lines of guides, previews and trails. They have no joints: where a ball comes straight back, the point of a mitred
+/// joint would lie infinitely far away.
 #[derive(Default, Reflect, GizmoConfigGroup)]
 pub(super) struct Strokes;
 
@@ -14,7 +15,6 @@ pub(super) fn plugin(app: &mut App) {
         GizmoConfig {
             line: GizmoLineConfig {
                 width: 2.0,
-                joints: GizmoLineJoint::Miter,
                 ..default()
             },
             depth_bias: -0.0002,
@@ -34,7 +34,7 @@ pub(super) fn colour(motion: Motion) -> LinearRgba {
     }
 }
 
-/// Points nearer to each other than this, in m, are one: the joint of two lines needs both to have a direction.
+/// Points nearer to each other than this, in m, are one: a shot has many events in one place.
 const NEAR: f32 = 1e-3;
 
 /// Draws a line through these points, each with its colour.
