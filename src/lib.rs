@@ -7,7 +7,7 @@
 //! | [`physics`] | pure laws, tables, scenes, records: f64, SI, no App |
 //! | [`sim`] | the table as a Bevy world, headless: components, messages, the clock, the solvers as ordered systems |
 //! | [`scenarios`] | scene files and the library of scenes |
-//! | [`report`] | what is told about a run: pictures |
+//! | [`report`] | what is told about a run: record files, pictures |
 //! | [`game`] | what the player aims, practice; no pixels |
 //! | `window` | what a person sees and touches; feature `window` |
 //! | [`cli`] | the command line, on top of all |

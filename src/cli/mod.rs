@@ -1,11 +1,10 @@
 //! The command line.
 
-mod events;
 mod list;
+mod picture;
 mod play;
 mod run;
 mod simulate;
-mod summary;
 mod write;
 
 pub use play::fallback;
@@ -18,6 +17,7 @@ use clap::{Parser, Subcommand};
 use thiserror::Error;
 
 use crate::physics::scene::SceneError;
+use crate::report::record_file::RecordFileError;
 use crate::scenarios::file::FileError;
 use crate::scenarios::library::OpenError;
 use run::RunOptions;
@@ -39,11 +39,13 @@ use run::RunOptions;
         masse run break-nine                         write the events of a break as JSON lines\n  \
         masse run break-nine --picture break.svg -q  draw the paths and write nothing else\n  \
         masse run my.ron --solver stepped --tick 0.001 --out my.jsonl\n  \
+        masse picture my.jsonl my.svg                draw a run that was written, without running it again\n  \
         masse write gas gas.ron                      write a scene out in full, to change it\n\n\
-        EVENTS\n  \
-        Each line of `masse run` is an object: time in s, kind (strike, ball_ball, cushion, pocketed, motion), who (names of\n  \
-        balls), impulse in N s, and the states of these balls before and after: position in m, velocity in m/s, spin in\n  \
-        rad/s. x runs along the table to the foot, y up, z across. The last line holds the summary. Numbers have all their\n  \
+        RECORDS\n  \
+        `masse run` writes a record: a line with the scene as it was, a line for each event, the paths that the events do\n  \
+        not tell, and a summary. Every line is a JSON object. An event has: time in s, kind (strike, ball_ball, cushion,\n  \
+        pocketed, motion), who (names of balls), impulse in N s, and the states of these balls before and after: position\n  \
+        in m, velocity in m/s, spin in rad/s. x runs along the table to the foot, y up, z across. Numbers have all their\n  \
         digits; the same scene gives the same text.\n\n\
         EXIT CODES\n  \
         0  done\n  \
@@ -65,6 +67,14 @@ enum Command {
     },
     /// Run a scene without a window and write what happens as JSON lines
     Run(RunOptions),
+    /// Draw a run that `masse run` wrote, without running it again
+    Picture {
+        /// Record file
+        record: PathBuf,
+        /// The SVG file to write
+        #[arg(value_name = "FILE.svg")]
+        file: PathBuf,
+    },
     /// Name the scenes that are built in
     List,
     /// Write a scene out in full as a scene file
@@ -85,6 +95,9 @@ enum CommandError {
     /// A scene file that is no good.
     #[error(transparent)]
     File(#[from] FileError),
+    /// A record file that is no good.
+    #[error(transparent)]
+    Record(#[from] RecordFileError),
     /// Options that make a scene unplayable.
     #[error("command line: {0}")]
     Options(#[from] SceneError),
@@ -107,7 +120,9 @@ enum CommandError {
 impl CommandError {
     fn code(&self) -> u8 {
         match self {
-            Self::Open(_) | Self::File(_) | Self::Options(_) | Self::Usage(_) => 2,
+            Self::Open(_) | Self::File(_) | Self::Record(_) | Self::Options(_) | Self::Usage(_) => {
+                2
+            }
             Self::Write { .. } => 3,
             Self::Unfinished(_) => 4,
         }
@@ -129,6 +144,9 @@ pub fn main() -> ExitCode {
         None => play::play(None),
         Some(Command::Play { scene }) => play::play(scene.as_deref()),
         Some(Command::Run(options)) => run::run(&options).map(|()| ExitCode::SUCCESS),
+        Some(Command::Picture { record, file }) => {
+            picture::draw(&record, &file).map(|()| ExitCode::SUCCESS)
+        }
         Some(Command::List) => list::list().map(|()| ExitCode::SUCCESS),
         Some(Command::Write { scene, file }) => {
             write::write(&scene, &file).map(|()| ExitCode::SUCCESS)

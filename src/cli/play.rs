@@ -4,9 +4,8 @@ use std::path::Path;
 use std::process::ExitCode;
 
 use crate::cli::simulate::simulate;
-use crate::cli::summary::Summary;
 use crate::cli::{CommandError, say, to_file, to_stdout};
-use crate::report::picture;
+use crate::report::{picture, record_file};
 use crate::scenarios::file::Scenario;
 use crate::scenarios::library;
 
@@ -63,9 +62,9 @@ fn fall_back(reason: &str, name: &str) -> Result<(), CommandError> {
         "masse: {reason}, so {what} runs without a window and is drawn in {file}."
     ));
     let scenario = library::open(name)?;
-    let run = simulate(&scenario.scene)?;
-    let drawn = picture::draw(&scenario.title, &scenario.scene, &run.record, &run.trails);
+    let record = simulate(&scenario.scene)?;
+    let drawn = picture::draw(&scenario.title, &scenario.scene, &record);
     to_file(Path::new(file), drawn.as_bytes())?;
-    let summary = Summary::of(name, &scenario.title, &scenario.scene, &run.record);
+    let summary = record_file::Summary::of(name, &scenario.title, &scenario.scene, &record);
     to_stdout(|out| writeln!(out, "{}", summary.text()))
 }

@@ -4,11 +4,10 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
-use crate::cli::simulate::{Run, simulate};
-use crate::cli::summary::Summary;
-use crate::cli::{CommandError, events, say, to_file, to_stdout};
+use crate::cli::simulate::simulate;
+use crate::cli::{CommandError, say, to_file, to_stdout};
 use crate::physics::scene::{Scene, Solver, Stepped};
-use crate::report::picture;
+use crate::report::{picture, record_file};
 use crate::scenarios::library;
 
 /// What to run, and how.
@@ -28,13 +27,13 @@ pub(super) struct RunOptions {
     /// Seconds after which the run ends even if balls still move
     #[arg(long, value_name = "S")]
     time_limit: Option<f64>,
-    /// File for the events, instead of the standard output
+    /// File for the record, instead of the standard output
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
     /// File for a picture of the paths, in SVG
     #[arg(long, value_name = "FILE.svg")]
     picture: Option<PathBuf>,
-    /// Write no events to the standard output and no summary to the standard error
+    /// Write no record to the standard output and no summary to the standard error
     #[arg(long, short)]
     quiet: bool,
 }
@@ -60,43 +59,33 @@ fn grid(text: &str) -> Result<GridOption, String> {
         .ok_or_else(|| "two numbers such as 20x20, or `none`".to_owned())
 }
 
-/// Runs a scene and writes its events, its summary and, if asked for, its picture.
+/// Runs a scene and writes its record and, if asked for, its picture.
 pub(super) fn run(options: &RunOptions) -> Result<(), CommandError> {
     let mut scenario = library::open(&options.scene)?;
     options.change(&mut scenario.scene)?;
     let (scene, title) = (&scenario.scene, &scenario.title);
-    let run = simulate(scene)?;
-    let summary = Summary::of(&options.scene, title, scene, &run.record);
+    let record = simulate(scene)?;
+    let written = |out: &mut dyn std::io::Write| {
+        record_file::write(out, &options.scene, title, scene, &record)
+    };
     if let Some(path) = &options.out {
         let mut lines = Vec::new();
-        written(&mut lines, scene, &run, &summary).map_err(|source| CommandError::Write {
+        written(&mut lines).map_err(|source| CommandError::Write {
             to: path.display().to_string(),
             source,
         })?;
         to_file(path, &lines)?;
     } else if !options.quiet {
-        to_stdout(|out| written(out, scene, &run, &summary))?;
+        to_stdout(written)?;
     }
     if let Some(path) = &options.picture {
-        to_file(
-            path,
-            picture::draw(title, scene, &run.record, &run.trails).as_bytes(),
-        )?;
+        to_file(path, picture::draw(title, scene, &record).as_bytes())?;
     }
     if !options.quiet {
+        let summary = record_file::Summary::of(&options.scene, title, scene, &record);
         say(&summary.text());
     }
     Ok(())
-}
-
-fn written(
-    out: &mut dyn std::io::Write,
-    scene: &Scene,
-    run: &Run,
-    summary: &Summary,
-) -> std::io::Result<()> {
-    events::write(out, scene, &run.record.events)?;
-    summary.write(out)
 }
 
 impl RunOptions {

@@ -7,7 +7,7 @@ use masse::physics::scene::{Solver, Stepped};
 use serde_json::Value;
 
 /// An empty folder of this name, below the folder that cargo gives to tests.
-fn folder(name: &str) -> PathBuf {
+pub(crate) fn folder(name: &str) -> PathBuf {
     let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
     let _ = std::fs::remove_dir_all(&path);
     std::fs::create_dir_all(&path).expect("cargo's folder for tests can be written");
@@ -15,7 +15,7 @@ fn folder(name: &str) -> PathBuf {
 }
 
 /// The program without any display to open a window on.
-fn masse() -> Command {
+pub(crate) fn masse() -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_masse"));
     command
         .env_remove("DISPLAY")
@@ -24,15 +24,15 @@ fn masse() -> Command {
     command
 }
 
-fn output(command: &mut Command) -> Output {
+pub(crate) fn output(command: &mut Command) -> Output {
     command.output().expect("the program starts")
 }
 
-fn out(output: &Output) -> String {
+pub(crate) fn out(output: &Output) -> String {
     String::from_utf8(output.stdout.clone()).expect("text")
 }
 
-fn err(output: &Output) -> String {
+pub(crate) fn err(output: &Output) -> String {
     String::from_utf8(output.stderr.clone()).expect("text")
 }
 
@@ -66,7 +66,10 @@ fn run_writes_events_and_a_summary() {
         .lines()
         .map(|line| serde_json::from_str(line).expect("JSON"))
         .collect();
-    let (summary, events) = lines.split_last().expect("lines");
+    let [header, events @ .., summary] = lines.as_slice() else {
+        panic!("no lines");
+    };
+    assert_eq!(header["format"], "masse record");
     assert_eq!(events[0]["kind"], "strike");
     let hit = events
         .iter()
@@ -112,6 +115,7 @@ fn a_scene_written_out_in_full_runs_the_same() {
         let text = out(&output(masse().args(["run", scene]).current_dir(&folder)));
         let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
         lines.pop();
+        lines.remove(0);
         lines
     };
     let direct = events("break-nine");

@@ -12,6 +12,7 @@ mod judges;
 mod live_exact;
 mod practice;
 mod properties;
+mod record_files;
 mod reference;
 mod scene_files;
 mod schedules;

@@ -60,7 +60,14 @@ impl Scene {
                 }
             }
         }
+        let mut names = HashSet::with_capacity(self.table.pockets.len());
         for (i, pocket) in self.table.pockets.iter().enumerate() {
+            if !names.insert(pocket.name.as_str()) {
+                return Err(SceneError::DuplicatePocket {
+                    pocket: i,
+                    name: pocket.name.clone(),
+                });
+            }
             let field = |name: &str| format!("table.pockets[{i}] (`{}`).{name}", pocket.name);
             in_plan(&field("center"), pocket.center)?;
             within(&field("radius"), pocket.radius, 1e-6, 1e4)?;

@@ -16,6 +16,14 @@ pub enum SceneError {
         /// The name.
         name: String,
     },
+    /// Two pockets share a name.
+    #[error("table.pockets[{pocket}].name: `{name}` is used twice")]
+    DuplicatePocket {
+        /// Index of the second pocket.
+        pocket: usize,
+        /// The name.
+        name: String,
+    },
     /// A number is not finite or out of its range.
     #[error("{field}: {value} is not allowed, it must be between {least} and {most}")]
     OutOfRange {

@@ -5,6 +5,7 @@
 mod balls;
 mod paths;
 mod table;
+mod trails;
 
 use glam::DVec2;
 use svg::Document;
@@ -14,15 +15,12 @@ use crate::physics::ball::{Motion, State};
 use crate::physics::record::Record;
 use crate::physics::scene::Scene;
 
-/// Where each ball was, and when: one list of times in s and states for each ball.
-pub type Trails = [Vec<(f64, State)>];
-
 /// Pixels of the longer side of the table.
 const SIZE: f64 = 1200.0;
 
-/// The picture of a run as the text of an SVG file. Balls without a trail are drawn where they lie.
+/// The picture of a run as the text of an SVG file. Balls without a path are drawn where they lie.
 #[must_use]
-pub fn draw(title: &str, scene: &Scene, record: &Record, trails: &Trails) -> String {
+pub fn draw(title: &str, scene: &Scene, record: &Record) -> String {
     let page = Page::around(scene);
     let end: Vec<State> = if record.end.len() == scene.balls.len() {
         record.end.clone()
@@ -34,7 +32,7 @@ pub fn draw(title: &str, scene: &Scene, record: &Record, trails: &Trails) -> Str
         .collect();
     let mut layers = vec![
         table::draw(&page, &scene.table),
-        paths::draw(&page, scene, trails),
+        paths::draw(&page, scene, &trails::of(record)),
         balls::starts(&page, scene),
         paths::marks(&page, scene, &record.events),
         balls::ends(&page, scene, &end),
@@ -180,10 +178,8 @@ mod tests {
             ..Record::default()
         };
         record.end[3].motion = Motion::Pocketed;
-        let trails: Vec<Vec<(f64, State)>> =
-            record.end.iter().map(|state| vec![(0.0, *state)]).collect();
-        let first = draw("a < b & c", &scene, &record, &trails);
-        assert_eq!(first, draw("a < b & c", &scene, &record, &trails));
+        let first = draw("a < b & c", &scene, &record);
+        assert_eq!(first, draw("a < b & c", &scene, &record));
         assert!(first.contains("a &lt; b &amp; c"), "{}", &first[..600]);
         assert!(first.contains("id=\"potted\""));
     }

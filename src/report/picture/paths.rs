@@ -3,12 +3,12 @@
 use glam::DVec2;
 use svg::node::element::{Circle, Group, Polyline};
 
-use crate::physics::ball::Motion;
+use crate::physics::ball::{Motion, State};
 use crate::physics::record::{Event, EventKind};
 use crate::physics::scene::Scene;
 use crate::report::picture::balls::colour;
 use crate::report::picture::table::disc;
-use crate::report::picture::{Page, Trails, layer, number};
+use crate::report::picture::{Page, layer, number};
 
 /// Pixels by which a drawn path may leave out a bend.
 const TOLERANCE: f64 = 0.1;
@@ -17,7 +17,7 @@ const TOLERANCE: f64 = 0.1;
 const CROWD: usize = 40;
 
 /// One line for each ball that moved, in its colour.
-pub(super) fn draw(page: &Page, scene: &Scene, trails: &Trails) -> Group {
+pub(super) fn draw(page: &Page, scene: &Scene, trails: &[Vec<State>]) -> Group {
     let crowd = scene.balls.len() > CROWD;
     let mut group = layer("paths")
         .set("fill", "none")
@@ -25,10 +25,10 @@ pub(super) fn draw(page: &Page, scene: &Scene, trails: &Trails) -> Group {
         .set("stroke-width", if crowd { "0.7" } else { "2" })
         .set("opacity", if crowd { "0.6" } else { "0.9" });
     for (i, (trail, ball)) in trails.iter().zip(&scene.balls).enumerate() {
-        let mut points: Vec<DVec2> = std::iter::once(&(0.0, ball.state))
+        let mut points: Vec<DVec2> = std::iter::once(&ball.state)
             .chain(trail)
-            .filter(|(_, state)| state.motion != Motion::Pocketed)
-            .map(|(_, state)| page.place(state))
+            .filter(|state| state.motion != Motion::Pocketed)
+            .map(|state| page.place(state))
             .collect();
         points.dedup();
         if points.len() < 2 {

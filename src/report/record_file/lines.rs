@@ -1,16 +1,37 @@
-//! Events as JSON lines.
-
-use std::io::{self, Write};
+//! The lines as they are written.
 
 use serde::Serialize;
 
 use crate::physics::ball::{Motion, State};
-use crate::physics::record::{Event, EventKind};
+use crate::physics::record::{Event, EventKind, PathPiece, Record};
 use crate::physics::scene::Scene;
+use crate::report::record_file::{FORMAT, Summary, VERSION};
 
-/// One line.
+/// The first line.
 #[derive(Serialize)]
-struct Line<'a> {
+pub(super) struct Header<'a> {
+    format: &'static str,
+    version: u64,
+    name: &'a str,
+    title: &'a str,
+    scene: &'a Scene,
+}
+
+impl<'a> Header<'a> {
+    pub(super) fn of(name: &'a str, title: &'a str, scene: &'a Scene) -> Self {
+        Self {
+            format: FORMAT,
+            version: VERSION,
+            name,
+            title,
+            scene,
+        }
+    }
+}
+
+/// An event.
+#[derive(Serialize)]
+pub(super) struct EventLine<'a> {
     time: f64,
     kind: &'static str,
     who: Vec<&'a str>,
@@ -29,8 +50,8 @@ struct Line<'a> {
     after: Vec<&'a State>,
 }
 
-impl<'a> Line<'a> {
-    fn of(scene: &'a Scene, event: &'a Event) -> Self {
+impl<'a> EventLine<'a> {
+    pub(super) fn of(scene: &'a Scene, event: &'a Event) -> Self {
         let mut line = Self {
             time: event.time,
             kind: kind(&event.kind),
@@ -55,13 +76,40 @@ impl<'a> Line<'a> {
     }
 }
 
-/// Writes one line for each event.
-pub(super) fn write(out: &mut dyn Write, scene: &Scene, events: &[Event]) -> io::Result<()> {
-    for event in events {
-        serde_json::to_writer(&mut *out, &Line::of(scene, event))?;
-        out.write_all(b"\n")?;
+/// A path that the events do not tell.
+#[derive(Serialize)]
+pub(super) struct PathLine<'a> {
+    path: &'a str,
+    pieces: Vec<PieceStart<'a>>,
+}
+
+#[derive(Serialize)]
+struct PieceStart<'a> {
+    time: f64,
+    state: &'a State,
+}
+
+impl<'a> PathLine<'a> {
+    pub(super) fn of(scene: &'a Scene, ball: usize, path: &'a [PathPiece]) -> Self {
+        Self {
+            path: name(scene, ball),
+            pieces: path
+                .iter()
+                .map(|turn| PieceStart {
+                    time: turn.time,
+                    state: &turn.piece.start,
+                })
+                .collect(),
+        }
     }
-    Ok(())
+}
+
+/// The last line.
+#[derive(Serialize)]
+pub(super) struct Last<'s, 'a> {
+    pub(super) summary: &'s Summary<'a>,
+    /// How many paths have lines of their own.
+    pub(super) paths: usize,
 }
 
 /// What a line calls this kind of event.
@@ -87,4 +135,17 @@ pub(super) fn pocket_name(scene: &Scene, pocket: usize) -> &str {
         .pockets
         .get(pocket)
         .map_or("", |pocket| &pocket.name)
+}
+
+/// Whether a record speaks of the balls of this scene and of no others.
+pub(super) fn belongs(scene: &Scene, record: &Record) -> bool {
+    let count = scene.balls.len();
+    record.paths.len() == count
+        && record.paths.iter().all(|path| !path.is_empty())
+        && record.end.len() == count
+        && record
+            .events
+            .iter()
+            .flat_map(Event::participants)
+            .all(|participant| participant.ball < count)
 }

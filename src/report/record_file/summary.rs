@@ -2,18 +2,17 @@
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
-use std::io::{self, Write};
 
 use serde::Serialize;
 
-use crate::cli::events::{kind, name, pocket_name};
 use crate::physics::ball::State;
 use crate::physics::record::{EndReason, EventKind, Record};
 use crate::physics::scene::{Scene, Solver};
+use crate::report::record_file::lines::{kind, name, pocket_name};
 
 /// What a run came to. The time it took is not in it, so that the same scene gives the same text.
 #[derive(Serialize)]
-pub(super) struct Summary<'a> {
+pub struct Summary<'a> {
     scene: &'a str,
     title: &'a str,
     solver: &'a Solver,
@@ -45,12 +44,9 @@ struct End<'a> {
 const MOST_PLACES: usize = 16;
 
 impl<'a> Summary<'a> {
-    pub(super) fn of(
-        scene_name: &'a str,
-        title: &'a str,
-        scene: &'a Scene,
-        record: &'a Record,
-    ) -> Self {
+    /// What this run of a scene came to; the scene has a name and a title.
+    #[must_use]
+    pub fn of(scene_name: &'a str, title: &'a str, scene: &'a Scene, record: &'a Record) -> Self {
         let mut events = BTreeMap::new();
         for event in &record.events {
             *events.entry(kind(&event.kind)).or_insert(0) += 1;
@@ -83,18 +79,9 @@ impl<'a> Summary<'a> {
         }
     }
 
-    /// Writes the summary as the last JSON line.
-    pub(super) fn write(&self, out: &mut dyn Write) -> io::Result<()> {
-        #[derive(Serialize)]
-        struct Line<'s, 'a> {
-            summary: &'s Summary<'a>,
-        }
-        serde_json::to_writer(&mut *out, &Line { summary: self })?;
-        out.write_all(b"\n")
-    }
-
     /// The summary in a few lines for a person.
-    pub(super) fn text(&self) -> String {
+    #[must_use]
+    pub fn text(&self) -> String {
         let reason = match self.reason {
             Some(EndReason::Rest) => "every ball is at rest",
             Some(EndReason::TimeLimit) => "the time limit was reached",
