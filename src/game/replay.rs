@@ -95,7 +95,6 @@ impl Replay {
                 playback.time = 0.0;
                 playback.playing = true;
             }
-            ReplayCommand::Stop => {}
             ReplayCommand::TogglePlay => {
                 playback.playing = !playback.playing;
                 let at_end = if playback.rate < 0.0 {
@@ -116,7 +115,7 @@ impl Replay {
                 playback.time = time.clamp(0.0, playback.record.end_time);
             }
             ReplayCommand::Rate(rate) if rate.is_finite() => playback.rate = rate,
-            ReplayCommand::Seek(_) | ReplayCommand::Rate(_) => {}
+            ReplayCommand::Stop | ReplayCommand::Seek(_) | ReplayCommand::Rate(_) => {}
             ReplayCommand::StepEvent(forward) => {
                 playback.time = playback.neighbour_event(forward);
                 playback.playing = false;

@@ -29,7 +29,6 @@ use crate::sim::playfield::{BallQuery, Playfield, lay_out, snapshot};
 use crate::sim::recorder::Recorder;
 
 /// An app with this scene on the table and nothing to see. It runs by [`step`], not by its own clock.
-#[must_use]
 pub fn headless_app(scene: &Scene) -> App {
     let mut app = App::new();
     app.add_plugins((MinimalPlugins, SimPlugin));
@@ -47,6 +46,9 @@ pub fn step(app: &mut App, ticks: u32) {
 }
 
 /// The table as a scene, as it is now.
+///
+/// # Panics
+/// If the app has no [`SimPlugin`].
 pub fn scene(app: &mut App) -> Scene {
     app.world_mut()
         .run_system_cached(|playfield: Res<Playfield>, balls: BallQuery| {

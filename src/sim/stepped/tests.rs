@@ -52,7 +52,7 @@ fn j1_lone_ball_is_exact_at_60_hz() {
     );
     let speed = rolls.first.after.velocity.x;
     assert!((speed - 10.0 / 7.0).abs() < 1e-12, "rolls at {speed} m/s");
-    let roll = (10.0 / 7.0_f64).powi(2) / (2.0 * 0.01 * 9.81);
+    let roll = (10.0 / 7.0) * (10.0 / 7.0) / (2.0 * 0.01 * 9.81);
     let total = record.end[0].position.x + 18.0;
     assert!(
         (total - slide - roll).abs() < 1e-12 * 100.0,

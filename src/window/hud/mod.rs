@@ -35,6 +35,7 @@ pub(super) fn plugin(app: &mut App) {
 }
 
 /// Opens the help; closes what is open; quits when asked twice.
+#[expect(clippy::too_many_arguments, reason = "everything that can be closed")]
 fn keys(
     actions: Single<&ActionState<Action>>,
     egui: Res<EguiWantsInput>,

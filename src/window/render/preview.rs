@@ -23,6 +23,10 @@ pub(super) fn plugin(app: &mut App) {
 }
 
 /// Draws the preview of the present aim while nothing moves.
+#[expect(
+    clippy::too_many_arguments,
+    reason = "everything the preview depends on"
+)]
 fn draw(
     mut lines: Gizmos<Strokes>,
     mut cached: Local<Cached>,
