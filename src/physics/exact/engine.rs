@@ -12,14 +12,8 @@ use crate::physics::exact::{CONTACT_TIME, Contact, Limits, SolveError, Watch};
 use crate::physics::laws::Laws;
 use crate::physics::laws::cluster::Cluster;
 use crate::physics::record::{Event, EventKind, Participant, PathPiece};
-use crate::physics::scene::{Scene, strike_with};
+use crate::physics::scene::strike_with;
 use crate::physics::table::Table;
-
-/// From this many balls on neighbours are found by cells.
-const MANY: usize = 40;
-
-/// From this many cushions and pockets on they are found by cells.
-const MANY_WALLS: usize = 120;
 
 /// A table in motion: advanced by any amount of time, asked for any state, struck, saved and restored, always with the
 /// same bits.
@@ -37,6 +31,7 @@ pub struct Engine {
     pub(super) next: Vec<Next>,
     pub(super) counts: Vec<u32>,
     pub(super) touched: Vec<Touched>,
+    pub(super) widest: f64,
     pub(super) walls: Walls,
     pub(super) cells: Option<Cells>,
     pub(super) queue: Queue,
@@ -52,81 +47,6 @@ pub struct Engine {
 }
 
 impl Engine {
-    /// The balls of a scene at time 0, before its shot.
-    ///
-    /// # Errors
-    /// [`SolveError`] if the laws have no closed form or a number is not finite. Overlaps are found when they matter;
-    /// [`Scene::check`] finds them before.
-    pub fn new(scene: &Scene, limits: Limits) -> Result<Self, SolveError> {
-        let mut engine = Self::unpredicted(scene, limits)?;
-        for ball in 0..engine.count() {
-            engine.predict(ball)?;
-        }
-        Ok(engine)
-    }
-
-    /// Everything but the next events.
-    pub(super) fn unpredicted(scene: &Scene, limits: Limits) -> Result<Self, SolveError> {
-        if !scene.laws.motion.is_closed_form() {
-            return Err(SolveError::NotClosedForm);
-        }
-        let count = scene.balls.len();
-        let radius = scene
-            .balls
-            .iter()
-            .fold(0.0_f64, |most, ball| most.max(ball.ball.radius));
-        let walls = Walls::new(&scene.table, radius);
-        let cells = (count >= MANY || walls.list.len() >= MANY_WALLS)
-            .then(|| Cells::new(&scene.table, &walls, count, 2.0 * radius));
-        let mut engine = Self {
-            table: scene.table.clone(),
-            laws: scene.laws,
-            names: scene.balls.iter().map(|ball| ball.name.clone()).collect(),
-            bodies: scene.balls.iter().map(|ball| ball.ball).collect(),
-            paths: Vec::with_capacity(count),
-            flights: Vec::with_capacity(count),
-            next: vec![Next::NEVER; count],
-            counts: vec![0; count],
-            touched: vec![Touched::NOTHING; count],
-            walls,
-            cells,
-            queue: Queue::new(count),
-            clock: 0.0,
-            last: 0.0,
-            happened: 0,
-            limits,
-            cluster: Cluster::default(),
-            before: Vec::new(),
-            parting: Vec::new(),
-            lasting: Vec::new(),
-            near: Vec::new(),
-        };
-        for (index, ball) in scene.balls.iter().enumerate() {
-            let state = scene.laws.motion.classify(&ball.ball, ball.state);
-            if !state.is_finite() {
-                return Err(engine.not_finite(index, state));
-            }
-            let path = PathPiece {
-                time: 0.0,
-                piece: scene.laws.motion.piece(&ball.ball, &state),
-            };
-            engine.paths.push(path);
-            engine.flights.push(Flight::new(&ball.ball, &path));
-            if state.motion.in_play() {
-                engine.enter_cell(index);
-            }
-        }
-        Ok(engine)
-    }
-
-    pub(super) fn enter_cell(&mut self, ball: usize) {
-        if let Some(cells) = &mut self.cells {
-            let position = self.flights[ball].track.position;
-            let cell = cells.at(glam::DVec2::new(position.x, position.z));
-            cells.insert(ball as u32, cell);
-        }
-    }
-
     pub(super) fn not_finite(&self, ball: usize, state: State) -> SolveError {
         SolveError::NotFinite {
             ball: self.names[ball].clone(),

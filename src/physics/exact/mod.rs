@@ -26,6 +26,7 @@ mod engine;
 mod flight;
 mod gather;
 mod impact;
+mod lay_out;
 mod predict;
 mod queue;
 mod recorder;

@@ -1,6 +1,7 @@
 //! What makes a scene playable.
 
 use std::collections::HashSet;
+use std::fmt::{self, Display, Formatter};
 
 use glam::{DVec2, DVec3};
 
@@ -47,16 +48,21 @@ impl Scene {
         within("table.nose_height", self.table.nose_height, 0.0, 10.0)?;
         within("time_limit", self.time_limit, 0.0, 1e6)?;
         for (i, cushion) in self.table.cushions.iter().enumerate() {
-            let field = |name: &str| format!("table.cushions[{i}].{name}");
+            let field = |field| Listed {
+                list: "table.cushions",
+                index: i,
+                name: None,
+                field,
+            };
             match cushion {
                 Cushion::Line(line) => {
-                    in_plan(&field("from"), line.from)?;
-                    in_plan(&field("to"), line.to)?;
-                    within(&field("length"), (line.to - line.from).length(), 1e-9, 1e5)?;
+                    in_plan(field("from"), line.from)?;
+                    in_plan(field("to"), line.to)?;
+                    within(field("length"), (line.to - line.from).length(), 1e-9, 1e5)?;
                 }
                 Cushion::Arc(arc) => {
-                    in_plan(&field("center"), arc.center)?;
-                    within(&field("radius"), arc.radius, 0.0, 1e4)?;
+                    in_plan(field("center"), arc.center)?;
+                    within(field("radius"), arc.radius, 0.0, 1e4)?;
                 }
             }
         }
@@ -68,10 +74,15 @@ impl Scene {
                     name: pocket.name.clone(),
                 });
             }
-            let field = |name: &str| format!("table.pockets[{i}] (`{}`).{name}", pocket.name);
-            in_plan(&field("center"), pocket.center)?;
-            within(&field("radius"), pocket.radius, 1e-6, 1e4)?;
-            within(&field("depth"), pocket.depth, 0.0, 1e4)?;
+            let field = |field| Listed {
+                list: "table.pockets",
+                index: i,
+                name: Some(pocket.name.as_str()),
+                field,
+            };
+            in_plan(field("center"), pocket.center)?;
+            within(field("radius"), pocket.radius, 1e-6, 1e4)?;
+            within(field("depth"), pocket.depth, 0.0, 1e4)?;
         }
         if let Solver::Stepped(stepped) = &self.solver {
             within("solver.tick", stepped.tick, 1e-6, 0.25)?;
@@ -112,16 +123,21 @@ impl Scene {
                     name: ball.name.clone(),
                 });
             }
-            let field = |name: &str| format!("balls[{i}] (`{}`).{name}", ball.name);
-            within(&field("mass"), ball.ball.mass, 1e-9, 1e9)?;
-            within(&field("radius"), ball.ball.radius, 1e-6, 1e3)?;
+            let field = |field| Listed {
+                list: "balls",
+                index: i,
+                name: Some(ball.name.as_str()),
+                field,
+            };
+            within(field("mass"), ball.ball.mass, 1e-9, 1e9)?;
+            within(field("radius"), ball.ball.radius, 1e-6, 1e3)?;
             let vectors = [
                 ("position", ball.state.position, 1e4),
                 ("velocity", ball.state.velocity, 1e3),
                 ("spin", ball.state.angular_velocity, 1e5),
             ];
             for (name, vector, most) in vectors {
-                in_space(&field(name), vector, most)?;
+                in_space(field(name), vector, most)?;
             }
         }
         Ok(())
@@ -247,14 +263,32 @@ fn check_parameters(parent: &str, checked: &impl Check) -> Result<(), SceneError
     Ok(())
 }
 
-fn in_plan(field: &str, point: DVec2) -> Result<(), SceneError> {
-    within(&format!("{field}.x"), point.x, -1e4, 1e4)?;
-    within(&format!("{field}.z"), point.y, -1e4, 1e4)
+/// The path of a field in a list. It is written out only for an error: scenes are checked before every preview.
+struct Listed<'a> {
+    list: &'a str,
+    index: usize,
+    name: Option<&'a str>,
+    field: &'a str,
 }
 
-fn in_space(field: &str, vector: DVec3, most: f64) -> Result<(), SceneError> {
+impl Display for Listed<'_> {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        write!(f, "{}[{}]", self.list, self.index)?;
+        if let Some(name) = self.name {
+            write!(f, " (`{name}`)")?;
+        }
+        write!(f, ".{}", self.field)
+    }
+}
+
+fn in_plan(field: impl Display, point: DVec2) -> Result<(), SceneError> {
+    within(format_args!("{field}.x"), point.x, -1e4, 1e4)?;
+    within(format_args!("{field}.z"), point.y, -1e4, 1e4)
+}
+
+fn in_space(field: impl Display, vector: DVec3, most: f64) -> Result<(), SceneError> {
     for (axis, value) in ["x", "y", "z"].into_iter().zip(vector.to_array()) {
-        within(&format!("{field}.{axis}"), value, -most, most)?;
+        within(format_args!("{field}.{axis}"), value, -most, most)?;
     }
     Ok(())
 }
@@ -263,8 +297,8 @@ fn in_space(field: &str, vector: DVec3, most: f64) -> Result<(), SceneError> {
 ///
 /// # Errors
 /// [`SceneError::NotFinite`] or [`SceneError::OutOfRange`] with the field and the value.
-pub fn within(field: &str, value: f64, least: f64, most: f64) -> Result<(), SceneError> {
-    let field = || field.to_owned();
+pub fn within(field: impl Display, value: f64, least: f64, most: f64) -> Result<(), SceneError> {
+    let field = || field.to_string();
     if !value.is_finite() {
         return Err(SceneError::NotFinite {
             field: field(),

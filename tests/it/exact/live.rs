@@ -124,6 +124,24 @@ fn a_second_shot_on_the_live_table_has_the_bits_of_its_preview() {
 }
 
 #[test]
+fn a_reloaded_engine_has_the_bits_of_a_new_one() {
+    for mut scene in [break_shot(), gas(100)] {
+        let mut engine = Engine::new(&scene, Limits::default()).expect("a sound scene");
+        for i in 0..3 {
+            scene.balls[0].state.velocity.x = 1.0 + 0.1 * f64::from(i);
+            scene.shot = None;
+            engine.advance(0.4, &mut ()).expect("a sound scene");
+            engine.reload(&scene).expect("a sound scene");
+            let mut fresh = Engine::new(&scene, Limits::default()).expect("a sound scene");
+            engine.advance(0.7, &mut ()).expect("a sound scene");
+            fresh.advance(0.7, &mut ()).expect("a sound scene");
+            assert_eq!(states(&engine), states(&fresh));
+            assert_eq!(engine.events(), fresh.events());
+        }
+    }
+}
+
+#[test]
 fn a_saved_table_goes_on_with_the_same_bits() {
     for scene in [break_shot(), gas(100)] {
         let mut engine = Engine::new(&scene, Limits::default()).expect("a sound scene");
