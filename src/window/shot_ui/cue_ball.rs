@@ -53,9 +53,6 @@ pub(super) fn show(ui: &mut egui::Ui, side: f64, height: f64, miscue: f64) -> Op
     );
     painter.circle_filled(tip, 1.5, Color32::WHITE);
 
-    let response = response.on_hover_text(
-        "Click or drag: where the tip hits. Shift: finer. Beyond the red circle the tip slips: a miscue.",
-    );
     if response.double_clicked() {
         return Some((0.0, 0.0));
     }

@@ -90,7 +90,8 @@ fn show(mut contexts: EguiContexts, mut desk: Desk) -> Result {
     let height = context.content_rect().height();
     egui::Window::new("Shot")
         .open(&mut open)
-        .default_pos(context.content_rect().right_top() + egui::vec2(-318.0, 8.0))
+        .pivot(egui::Align2::RIGHT_TOP)
+        .default_pos(context.content_rect().right_top() + margin)
         .auto_sized()
         .show(context, |ui| {
             ui.set_width(WIDTH);

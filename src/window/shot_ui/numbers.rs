@@ -164,7 +164,10 @@ fn effect(ui: &mut egui::Ui, desk: &Desk, aim: &Aim) {
         _ => "",
     };
     ui.label(format!("Squirt {:.3}°{side}", squirt.abs()));
-    ui.label(format!("Offset {:.3} R", aim.shot.offset()));
+    ui.label(format!("Offset {:.3} R", aim.shot.offset())).on_hover_text(
+        "Click or drag on the ball: where the tip hits. Shift: finer. Double click: the centre. Beyond the red circle \
+         the tip slips.",
+    );
     if struck.miscue {
         ui.colored_label(
             ui.visuals().error_fg_color,
