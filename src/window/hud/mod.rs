@@ -6,8 +6,9 @@ mod replay;
 mod status;
 
 use bevy::prelude::*;
-use bevy_egui::EguiPrimaryContextPass;
 use bevy_egui::input::EguiWantsInput;
+use bevy_egui::{EguiPreUpdateSet, EguiPrimaryContextPass};
+use leafwing_input_manager::plugin::InputManagerSystem;
 use leafwing_input_manager::prelude::ActionState;
 
 use crate::game::practice::Practice;
@@ -25,7 +26,14 @@ pub(super) fn plugin(app: &mut App) {
     app.init_resource::<Help>()
         .init_resource::<notice::Notices>()
         .add_systems(Startup, notice::welcome)
-        .add_systems(Update, (notice::listen, keys).chain())
+        .add_systems(
+            PreUpdate,
+            // Before the others, so that all see the same state when a key closes one thing after the other.
+            keys.after(InputManagerSystem::ManualControl)
+                .after(EguiPreUpdateSet::ProcessInput)
+                .before(WindowSystems::Input),
+        )
+        .add_systems(Update, notice::listen)
         .add_systems(
             EguiPrimaryContextPass,
             (status::show, replay::show, notice::show, help::show)

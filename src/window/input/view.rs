@@ -1,9 +1,10 @@
-//! Keys that change what is seen, and how fast.
+//! Keys that change what is seen and heard, and how fast.
 
 use bevy::prelude::*;
 
 use super::Actions;
 use crate::game::view::{CameraInput, CameraMode, View};
+use crate::game::volume::Volume;
 use crate::sim::clock::Clock;
 use crate::window::action::Action;
 
@@ -12,11 +13,12 @@ const FAST: f32 = 8.0;
 /// Powers of e by which a held key zooms in a second.
 const ZOOM_RATE: f32 = 1.2;
 
-/// Cameras, guides, trails, zoom.
+/// Cameras, guides, trails, zoom, sound.
 pub(super) fn switch(
     actions: Actions,
     time: Res<Time<Real>>,
     mut view: ResMut<View>,
+    mut volume: ResMut<Volume>,
     mut camera: MessageWriter<CameraInput>,
     mut before: Local<CameraMode>,
 ) {
@@ -43,6 +45,9 @@ pub(super) fn switch(
     }
     if actions.just_pressed(&Action::Trails) {
         view.trails = !view.trails;
+    }
+    if actions.just_pressed(&Action::Mute) {
+        volume.muted = !volume.muted;
     }
     for (action, sign) in [(Action::ZoomIn, 1.0), (Action::ZoomOut, -1.0)] {
         if actions.pressed(&action) {
