@@ -90,6 +90,10 @@ pub(super) fn ask(actions: Actions, mut swings: MessageWriter<Swing>) {
 }
 
 /// Follows the hand; the stroke falls when the cue comes back to the ball.
+#[expect(
+    clippy::too_many_arguments,
+    reason = "a system names everything it reads"
+)]
 pub(super) fn by_hand(
     actions: Actions,
     time: Res<Time<Real>>,
