@@ -5,6 +5,7 @@ mod free_paths;
 mod grazing;
 mod impacts;
 mod live;
+mod random_shots;
 mod resting;
 
 use glam::DVec3;
