@@ -1,6 +1,9 @@
-//! Draws a racked table without a window: `cargo run --release --example look -- picture.png overhead 1280 720`.
+//! Draws a racked table without a window:
+//! `cargo run --release --example look -- picture.png orbit 1280 720 turn lift zoom right away`, with turn and lift in
+//! degrees, zoom in powers of e, right and away in metres.
 
-use masse::game::view::CameraMode;
+use bevy::math::Vec2;
+use masse::game::view::{CameraInput, CameraMode};
 use masse::physics::ball::Ball;
 use masse::physics::laws::Laws;
 use masse::physics::scene::{Rack, Scene};
@@ -16,9 +19,15 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         _ => CameraMode::BehindCue,
     };
     let size = (word(2, "1280").parse()?, word(3, "720").parse()?);
+    let number = |i: usize| word(i, "0").parse::<f32>();
+    let input = CameraInput {
+        orbit: Vec2::new(number(4)?.to_radians(), number(5)?.to_radians()),
+        zoom: number(6)?,
+        pan: Vec2::new(number(7)?, number(8)?),
+    };
     let mut scene = Scene::new(Preset::NineFoot.table(), Laws::default());
     Rack::EightBall.place(&mut scene, Ball::POOL, 0.0, 1);
-    let picture = picture(&scene, size, camera)?;
+    let picture = picture(&scene, size, camera, &[input])?;
     image::save_buffer(
         word(0, "table.png"),
         &picture.pixels,

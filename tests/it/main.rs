@@ -16,3 +16,5 @@ mod record_files;
 mod reference;
 mod scene_files;
 mod schedules;
+#[cfg(feature = "window")]
+mod window;

@@ -51,7 +51,7 @@ impl Default for Rig {
     fn default() -> Self {
         Self {
             behind_distance: 0.95,
-            behind_pitch: 0.33,
+            behind_pitch: 0.36,
             overhead_zoom: 1.0,
             overhead_shift: Vec2::ZERO,
             orbit_target: Vec3::new(0.0, 0.0, 0.05),
@@ -130,7 +130,7 @@ impl Rig {
                     .unwrap_or(Vec3::new(-0.25 * around.table.x, 0.03, 0.0));
                 let (sin, cos) = libm::sincosf(self.behind_pitch);
                 let eye = anchor + self.behind_distance * (sin * Vec3::Y - cos * around.forward);
-                let target = anchor + 0.38 * self.behind_distance * around.forward;
+                let target = anchor + 0.55 * self.behind_distance * around.forward;
                 Pose::looking_at(eye, target, Vec3::Y, 0.80)
             }
             CameraMode::Overhead => {

@@ -9,7 +9,7 @@ use bevy::prelude::*;
 use bevy::render::render_resource::TextureFormat;
 use bevy::render::view::screenshot::{Screenshot, ScreenshotCaptured};
 
-use crate::game::view::{CameraMode, View};
+use crate::game::view::{CameraInput, CameraMode, View};
 use crate::physics::scene::Scene;
 use crate::sim::playfield::lay_out;
 use crate::window::display::{NoDisplay, off_screen};
@@ -50,7 +50,7 @@ impl Picture {
 /// Frames after which every pipeline is there and a picture has come back from the graphics card.
 const PATIENCE: u32 = 60;
 
-/// Draws a scene once, with nothing moving.
+/// Draws a scene once, with nothing moving, from one of the views after this input.
 ///
 /// # Errors
 /// [`NoDisplay`] if there is no graphics adapter.
@@ -58,6 +58,7 @@ pub fn picture(
     scene: &Scene,
     (width, height): (u32, u32),
     camera: CameraMode,
+    input: &[CameraInput],
 ) -> Result<Picture, NoDisplay> {
     let mut app = off_screen()?;
     let image = Image::new_target_texture(width, height, TextureFormat::Rgba8UnormSrgb, None);
@@ -70,6 +71,7 @@ pub fn picture(
     });
     lay_out(app.world_mut(), scene);
     app.world_mut().resource_mut::<View>().camera = camera;
+    app.world_mut().write_message_batch(input.iter().copied());
     while app.plugins_state() == PluginsState::Adding {
         bevy::tasks::tick_global_task_pools_on_main_thread();
     }

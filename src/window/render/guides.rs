@@ -18,7 +18,8 @@ const REACH: f64 = 0.45;
 
 pub(super) fn plugin(app: &mut App) {
     app.add_systems(Startup, make.in_set(Drawing::Guides))
-        .add_systems(RunFixedMainLoop, draw.in_set(Drawing::Guides));
+        // Gizmos belong to the schedule they are drawn in; those of the fixed loop would not be seen every frame.
+        .add_systems(Update, draw.in_set(Drawing::Guides));
 }
 
 /// The translucent ball at the first contact.
@@ -34,7 +35,7 @@ fn make(
         Ghost,
         Mesh3d(meshes.add(Sphere::new(1.0).mesh().uv(40, 20))),
         MeshMaterial3d(materials.add(StandardMaterial {
-            base_color: Color::srgba(1.0, 1.0, 1.0, 0.16),
+            base_color: Color::srgba(1.0, 1.0, 1.0, 0.28),
             perceptual_roughness: 0.2,
             alpha_mode: AlphaMode::Blend,
             ..default()

@@ -55,6 +55,7 @@ pub(super) fn plugin(app: &mut App) {
     app.init_resource::<RenderQuality>()
         .configure_sets(Startup, order())
         .configure_sets(RunFixedMainLoop, order().in_set(WindowSystems::Present))
+        .configure_sets(Update, order())
         .add_plugins((
             lines::plugin,
             room::plugin,

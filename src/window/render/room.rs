@@ -4,6 +4,7 @@ use bevy::anti_alias::smaa::{Smaa, SmaaPreset};
 use bevy::asset::RenderAssetUsages;
 use bevy::camera::Exposure;
 use bevy::core_pipeline::tonemapping::Tonemapping;
+use bevy::light::cluster::{ClusterConfig, GlobalClusterSettings};
 use bevy::light::{DirectionalLightShadowMap, NotShadowCaster};
 use bevy::mesh::{Indices, PrimitiveTopology};
 use bevy::prelude::*;
@@ -18,7 +19,7 @@ use crate::window::render::table::FLOOR;
 const DARK: Color = Color::srgb(0.018, 0.017, 0.018);
 
 /// Height of the lamps above the slate, m.
-const LAMP_HEIGHT: f32 = 1.15;
+const LAMP_HEIGHT: f32 = 1.35;
 
 pub(super) fn plugin(app: &mut App) {
     let quality = *app.world().resource::<RenderQuality>();
@@ -28,7 +29,10 @@ pub(super) fn plugin(app: &mut App) {
             size: quality.shadow_map(),
         })
         .add_observer(equip_camera)
-        .add_systems(Startup, floor.in_set(Drawing::Room))
+        .add_systems(
+            Startup,
+            (walls, sort_lamps_here).chain().in_set(Drawing::Room),
+        )
         .add_systems(
             RunFixedMainLoop,
             hang_lamps
@@ -48,7 +52,9 @@ fn equip_camera(
     camera.insert((
         studio(&mut images),
         Tonemapping::AcesFitted,
-        Exposure { ev100: 7.6 },
+        Exposure { ev100: 6.75 },
+        // Three lamps light everything: sorting them into cells would cost more than it saves.
+        ClusterConfig::Single,
     ));
     match *quality {
         RenderQuality::Low => camera.insert((
@@ -59,6 +65,14 @@ fn equip_camera(
         )),
         RenderQuality::High => camera.insert(Msaa::Sample4),
     };
+}
+
+/// The processor tells the graphics card which lamps there are: it is at once, three lamps are no work, and software
+/// drivers lose lamps when they do it.
+fn sort_lamps_here(settings: Option<ResMut<GlobalClusterSettings>>) {
+    if let Some(mut settings) = settings {
+        settings.gpu_clustering = None;
+    }
 }
 
 /// A lamp over the table.
@@ -87,23 +101,23 @@ fn hang_lamps(
     let height = LAMP_HEIGHT * (reach / 1.27).max(1.0);
     for (i, place) in places.into_iter().enumerate() {
         let share = match (*quality, i) {
-            (RenderQuality::Low, 0) => 1.5,
-            (RenderQuality::Low, _) => 0.75,
+            (RenderQuality::Low, 0) => 2.0,
+            (RenderQuality::Low, _) => 0.5,
             (RenderQuality::High, _) => 1.0,
         };
         commands.spawn((
             Lamp,
             SpotLight {
                 color: Color::srgb(1.0, 0.94, 0.84),
-                intensity: 8_500.0 * share * (height * height) / (LAMP_HEIGHT * LAMP_HEIGHT),
-                range: 6.0 * height,
+                intensity: 5_200.0 * share * (height * height) / (LAMP_HEIGHT * LAMP_HEIGHT),
+                range: 4.0 * height,
                 radius: 0.06,
                 shadow_maps_enabled: i < quality.shadows(),
                 shadow_depth_bias: 0.004,
                 shadow_normal_bias: 1.2,
                 shadow_map_near_z: 0.3 * height,
-                outer_angle: 1.25,
-                inner_angle: 0.7,
+                outer_angle: 0.95,
+                inner_angle: 0.75,
                 ..default()
             },
             Transform::from_xyz(place * length, height, 0.0)
@@ -112,27 +126,61 @@ fn hang_lamps(
     }
 }
 
-/// A dark floor that fades into the room.
-fn floor(
+/// A dark floor that fades into the room, and the walls behind.
+fn walls(
     mut commands: Commands,
     mut meshes: ResMut<Assets<Mesh>>,
     mut materials: ResMut<Assets<StandardMaterial>>,
 ) {
-    let rings = [
-        (0.0, 1.0),
-        (1.5, 0.8),
-        (2.5, 0.4),
-        (4.0, 0.12),
-        (6.0, 0.0),
-        (12.0, 0.0),
+    // Radius, height and light of each ring.
+    let floor = [
+        (0.0, -FLOOR, 1.0),
+        (1.5, -FLOOR, 0.8),
+        (2.5, -FLOOR, 0.4),
+        (4.0, -FLOOR, 0.12),
+        (7.0, -FLOOR, 0.0),
     ];
+    let wall = [
+        (7.0, -FLOOR, 0.10),
+        (7.0, 0.1, 0.55),
+        (7.0, 1.0, 1.0),
+        (7.0, 2.2, 0.75),
+        (7.0, 4.0, 0.12),
+        (0.0, 8.0, 0.0),
+    ];
+    let rough = StandardMaterial {
+        perceptual_roughness: 0.95,
+        reflectance: 0.0,
+        cull_mode: None,
+        ..default()
+    };
+    let glow = StandardMaterial {
+        unlit: true,
+        cull_mode: None,
+        ..default()
+    };
+    for (mesh, material) in [
+        (rings(&floor, Vec3::new(0.10, 0.075, 0.06)), rough),
+        (rings(&wall, Vec3::new(0.022, 0.0185, 0.016)), glow),
+    ] {
+        commands.spawn((
+            Mesh3d(meshes.add(mesh)),
+            MeshMaterial3d(materials.add(material)),
+            NotShadowCaster,
+        ));
+    }
+}
+
+/// Rings around the y axis, joined, each with its share of a colour.
+fn rings(rings: &[(f64, f64, f32)], colour: Vec3) -> Mesh {
     const SIDES: u32 = 48;
     let (mut positions, mut colours, mut indices) = (Vec::new(), Vec::new(), Vec::new());
-    for (ring, &(radius, light)) in rings.iter().enumerate() {
+    for (ring, &(radius, y, light)) in rings.iter().enumerate() {
         for i in 0..=SIDES {
-            let at = Vec2::from_angle(std::f32::consts::TAU * i as f32 / SIDES as f32) * radius;
-            positions.push([at.x, -FLOOR as f32, at.y]);
-            colours.push([0.10 * light, 0.075 * light, 0.06 * light, 1.0]);
+            let turn = std::f32::consts::TAU * i as f32 / SIDES as f32;
+            let at = Vec2::from_angle(turn) * radius as f32;
+            positions.push([at.x, y as f32, at.y]);
+            colours.push((light * colour).extend(1.0).to_array());
             if ring > 0 && i > 0 {
                 let row = SIDES + 1;
                 let c = ring as u32 * row + i;
@@ -140,7 +188,7 @@ fn floor(
             }
         }
     }
-    let mesh = Mesh::new(
+    Mesh::new(
         PrimitiveTopology::TriangleList,
         RenderAssetUsages::RENDER_WORLD,
     )
@@ -150,15 +198,5 @@ fn floor(
     )
     .with_inserted_attribute(Mesh::ATTRIBUTE_POSITION, positions)
     .with_inserted_attribute(Mesh::ATTRIBUTE_COLOR, colours)
-    .with_inserted_indices(Indices::U32(indices));
-    commands.spawn((
-        Mesh3d(meshes.add(mesh)),
-        MeshMaterial3d(materials.add(StandardMaterial {
-            perceptual_roughness: 0.95,
-            reflectance: 0.0,
-            cull_mode: None,
-            ..default()
-        })),
-        NotShadowCaster,
-    ));
+    .with_inserted_indices(Indices::U32(indices))
 }

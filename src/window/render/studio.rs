@@ -19,7 +19,7 @@ pub(super) fn studio(images: &mut Assets<Image>) -> EnvironmentMapLight {
         specular_map: images.add(cube(SIDE, SIDE.ilog2() - 1, |direction, roughness| {
             mirrored(direction, roughness)
         })),
-        intensity: 160.0,
+        intensity: 100.0,
         ..default()
     }
 }

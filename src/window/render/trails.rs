@@ -8,7 +8,7 @@ use crate::window::render::Drawing;
 use crate::window::render::lines::{Strokes, colour, strip};
 
 pub(super) fn plugin(app: &mut App) {
-    app.add_systems(RunFixedMainLoop, draw.in_set(Drawing::Trails));
+    app.add_systems(Update, draw.in_set(Drawing::Trails));
 }
 
 fn draw(mut lines: Gizmos<Strokes>, view: Res<View>, recorder: Res<Recorder>) {

@@ -7,8 +7,16 @@ use crate::window::render::solid::{Solid, lathe};
 use crate::window::render::table::measures::Measures;
 use crate::window::render::table::noses::NosePoint;
 
+/// How far the cloth of a cushion runs on below the wood, m.
+const SEAM: f64 = 0.004;
+
 /// The cloth over one cushion: from the wood over the nose down to the slate.
 pub(super) fn cushion(solid: &mut Solid, points: &[NosePoint], measures: &Measures) {
+    let middle = points[points.len() / 2];
+    let across = (points[points.len() - 1].back - points[0].back)
+        .perp()
+        .normalize_or_zero();
+    let outward = across * (middle.back - middle.at).dot(across).signum();
     let lift = (measures.top - measures.nose).max(0.0);
     // Height above the slate, how far back from the nose, and the slope of the surface: (towards the player, up).
     let profile = [
@@ -22,22 +30,31 @@ pub(super) fn cushion(solid: &mut Solid, points: &[NosePoint], measures: &Measur
         .iter()
         .map(|&(height, back, (out, up))| {
             let place = |point: &NosePoint| {
-                let room = (point.at - point.back).length();
-                let at = point.at - back.min(room) * point.normal;
+                let at = point.at - back.min(point.room) * point.normal;
                 let normal = raise(out * point.normal, up).normalize();
                 (raise(at, height), normal)
             };
             points.iter().map(place).collect()
         })
         .collect();
-    rows.push(
-        points
-            .iter()
-            .map(|point| (raise(point.back, measures.top), DVec3::Y))
-            .collect(),
-    );
+    // The cloth runs on below the wood a little, so that no light comes through the seam.
+    for (under, y) in [(0.0, measures.top), (SEAM, measures.top - 0.3 * SEAM)] {
+        let place = |point: &NosePoint| {
+            let back = point.back + under * outward;
+            (raise(back, y), DVec3::Y)
+        };
+        rows.push(points.iter().map(place).collect());
+    }
     for pair in rows.windows(2) {
         solid.band(&pair[0], &pair[1]);
+    }
+    for end in [0, points.len() - 1] {
+        let back = raise(points[end].back, 0.0);
+        for pair in rows.windows(2) {
+            // The end is not quite flat, so it is drawn from both sides.
+            solid.face([back, pair[0][end].0, pair[1][end].0, back]);
+            solid.face([back, pair[1][end].0, pair[0][end].0, back]);
+        }
     }
 }
 

@@ -129,8 +129,8 @@ pub(super) fn diamonds(solid: &mut Solid, measures: &Measures, pockets: &[Vec<DV
             return;
         }
         let (a, b) = (
-            0.0105 * measures.scale * long,
-            0.0065 * measures.scale * long.perp(),
+            0.0135 * measures.scale * long,
+            0.008 * measures.scale * long.perp(),
         );
         solid.lid([at - a, at - b, at + a, at + b], measures.top + 3e-4);
     };

@@ -5,11 +5,12 @@ mod frame;
 mod measures;
 mod noses;
 mod pockets;
+mod shading;
 mod surfaces;
 
 pub(super) use measures::FLOOR;
 
-use bevy::light::NotShadowCaster;
+use bevy::light::{NotShadowCaster, NotShadowReceiver};
 use bevy::math::{DVec2, DVec3};
 use bevy::prelude::*;
 
@@ -75,6 +76,13 @@ fn build(
             entity.insert(NotShadowCaster);
         }
     }
+    commands.spawn((
+        Furniture,
+        Mesh3d(meshes.add(shading::below_noses(table))),
+        MeshMaterial3d(surfaces.shade()),
+        NotShadowCaster,
+        NotShadowReceiver,
+    ));
     *drawn = Some((table.clone(), surfaces));
 }
 
@@ -138,6 +146,13 @@ fn parts(table: &Table) -> Vec<Part> {
         bed.solid.lid(part, 0.0);
     }
 
+    // Out of sight: it keeps the light of the lamps from the floor.
+    let mut bottom = Part::new(Surface::Hole, DVec3::X, true);
+    bottom.solid.lid(
+        outline.map(|p| p * measures.outer() / corner),
+        pockets::BOTTOM,
+    );
+
     let mut cushions = Part::new(Surface::Cloth, DVec3::X, true);
     for points in &noses.rails {
         cushions::cushion(&mut cushions.solid, points, &measures);
@@ -176,6 +191,6 @@ fn parts(table: &Table) -> Vec<Part> {
         }
     }
     vec![
-        bed, cushions, long, short, upright, leather, inside, pearl, marks,
+        bed, bottom, cushions, long, short, upright, leather, inside, pearl, marks,
     ]
 }

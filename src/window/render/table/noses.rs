@@ -11,6 +11,8 @@ pub(super) struct NosePoint {
     pub at: DVec2,
     pub normal: DVec2,
     pub back: DVec2,
+    /// How far the cushion may be undercut here before it meets itself, m.
+    pub room: f64,
 }
 
 /// The cushions of a table, sorted by how they are drawn.
@@ -22,6 +24,14 @@ pub(super) struct Noses {
     pub walls: Vec<Line>,
     /// Pegs.
     pub pegs: Vec<Arc>,
+}
+
+/// A [`NosePoint`] in the making; `back` is known where it is not straight behind.
+struct Front {
+    at: DVec2,
+    normal: DVec2,
+    back: Option<DVec2>,
+    room: f64,
 }
 
 /// Distances in m below which ends meet.
@@ -39,13 +49,17 @@ impl Noses {
                 continue;
             };
             free[index] = false;
-            let mut points = side(table, &mut free, line.from, outward);
+            let mut points = side(table, &mut free, line.from, outward, measures);
             points.reverse();
-            points.extend(side(table, &mut free, line.to, outward));
+            points.extend(between(line, outward));
+            points.extend(side(table, &mut free, line.to, outward, measures));
             let ends = [line.from, line.to].map(|end| is_corner(table, index, end));
             let last = points.len() - 1;
-            let behind = |(i, &(at, normal)): (usize, &(DVec2, DVec2))| {
-                let mut back = at + (measures.depth - (at - line.from).dot(outward)) * outward;
+            let behind = |(i, front): (usize, &Front)| {
+                let at = front.at;
+                let mut back = front.back.unwrap_or_else(|| {
+                    at + (measures.depth - (at - line.from).dot(outward)) * outward
+                });
                 let along = (line.to - line.from).normalize();
                 if i == 0 && ends[0] {
                     back -= measures.depth * along;
@@ -53,7 +67,12 @@ impl Noses {
                 if i == last && ends[1] {
                     back += measures.depth * along;
                 }
-                NosePoint { at, normal, back }
+                NosePoint {
+                    at,
+                    normal: front.normal,
+                    back,
+                    room: front.room.min(at.distance(back)),
+                }
             };
             noses
                 .rails
@@ -91,9 +110,40 @@ fn is_corner(table: &Table, index: usize, end: DVec2) -> bool {
     })
 }
 
+/// The stretch of a nose line away from its jaws, where there is room for the whole undercut.
+fn between(line: &Line, outward: DVec2) -> Vec<Front> {
+    let way = line.to - line.from;
+    let share = CLEAR_OF_JAW / way.length();
+    if share >= 0.5 {
+        return Vec::new();
+    }
+    [share, 1.0 - share]
+        .map(|share| Front {
+            at: line.from + share * way,
+            normal: -outward,
+            back: None,
+            room: f64::INFINITY,
+        })
+        .into()
+}
+
+/// Distance from a jaw along the nose over which the undercut grows to its full depth, m.
+const CLEAR_OF_JAW: f64 = 0.03;
+
 /// From the end `at` of a nose outwards: the end itself, the jaw, the facing.
-fn side(table: &Table, free: &mut [bool], at: DVec2, outward: DVec2) -> Vec<(DVec2, DVec2)> {
-    let mut points = vec![(at, -outward)];
+fn side(
+    table: &Table,
+    free: &mut [bool],
+    at: DVec2,
+    outward: DVec2,
+    measures: &Measures,
+) -> Vec<Front> {
+    let mut points = vec![Front {
+        at,
+        normal: -outward,
+        back: None,
+        room: f64::INFINITY,
+    }];
     let Some((jaw, arc)) = table
         .cushions
         .iter()
@@ -106,6 +156,8 @@ fn side(table: &Table, free: &mut [bool], at: DVec2, outward: DVec2) -> Vec<(DVe
         return points;
     };
     free[jaw] = false;
+    let room = 0.8 * arc.radius;
+    points[0].room = room;
     let facing = table
         .cushions
         .iter()
@@ -129,11 +181,59 @@ fn side(table: &Table, free: &mut [bool], at: DVec2, outward: DVec2) -> Vec<(DVe
         let normal = DVec2::from_angle(turn * f64::from(i) / f64::from(JAW_STEPS))
             .rotate(start)
             .normalize_or(-outward);
-        points.push((arc.center + arc.radius * normal, normal));
+        points.push(Front {
+            at: arc.center + arc.radius * normal,
+            normal,
+            back: None,
+            room,
+        });
     }
     let normal = end.normalize_or(-outward);
-    points.push((far, normal));
+    let (at, back) = cut_at_hole(
+        table,
+        (near, far),
+        outward,
+        measures.depth - (near - at).dot(outward),
+    );
+    points.push(Front {
+        at,
+        normal,
+        back,
+        room,
+    });
     points
+}
+
+/// A facing that reaches over a hole ends at its edge: the end of the facing, and the point of the wood behind that end.
+/// `depth` is the way from the near end back to the wood.
+fn cut_at_hole(
+    table: &Table,
+    (near, far): (DVec2, DVec2),
+    outward: DVec2,
+    depth: f64,
+) -> (DVec2, Option<DVec2>) {
+    let cut = table.pockets.iter().find_map(|pocket| {
+        let (start, way) = (near - pocket.center, far - near);
+        // |start + t way|² = radius²
+        let (a, b) = (way.length_squared(), start.dot(way));
+        let c = start.length_squared() - pocket.radius * pocket.radius;
+        let root = b * b - a * c;
+        let share = (-b - root.max(0.0).sqrt()) / a;
+        if root <= 0.0 || !(0.0..1.0).contains(&share) {
+            return None;
+        }
+        let end = near + share * way;
+        let level = depth - (pocket.center - near).dot(outward);
+        let half = (pocket.radius * pocket.radius - level * level)
+            .max(0.0)
+            .sqrt();
+        let back = [-half, half]
+            .map(|along| pocket.center + level * outward + along * outward.perp())
+            .into_iter()
+            .min_by(|a, b| a.distance(end).total_cmp(&b.distance(end)));
+        Some((end, back))
+    });
+    cut.unwrap_or((far, None))
 }
 
 /// Corners of a jaw.

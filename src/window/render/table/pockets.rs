@@ -12,6 +12,9 @@ pub(super) const SIDES: u32 = 72;
 /// How far the hole reaches below the slate, m.
 const DEEP: f64 = 0.16;
 
+/// Height of the underside of the table, m.
+pub(super) const BOTTOM: f64 = -DEEP - 0.01;
+
 /// The inside, lit by next to nothing.
 pub(super) fn inside(solid: &mut Solid, pocket: &Pocket) {
     let ring = |y: f64| -> Vec<(DVec3, DVec3)> {
@@ -32,8 +35,7 @@ pub(super) fn inside(solid: &mut Solid, pocket: &Pocket) {
 
 /// The rim where the hole cuts into the wood.
 pub(super) fn rim(solid: &mut Solid, pocket: &Pocket, measures: &Measures) {
-    let middle = pocket.radius + 0.5 * measures.rim;
-    let is_rim = |i: u32| measures.is_frame(pocket.center + middle * direction(i % SIDES));
+    let is_rim = |i: u32| measures.is_frame(pocket.center + pocket.radius * direction(i % SIDES));
     // Distance from the hole, height, slope outwards and up.
     let (w, top) = (measures.rim, measures.top);
     let profile = [

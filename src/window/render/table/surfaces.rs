@@ -17,6 +17,7 @@ pub(super) struct Surfaces {
     pearl: Handle<StandardMaterial>,
     hole: Handle<StandardMaterial>,
     mark: Handle<StandardMaterial>,
+    shade: Handle<StandardMaterial>,
 }
 
 impl Surfaces {
@@ -54,7 +55,19 @@ impl Surfaces {
                 ..plain(Color::srgb(0.02, 0.018, 0.016), 1.0)
             }),
             mark: materials.add(plain(Color::srgb(0.75, 0.78, 0.74), 0.9)),
+            shade: materials.add(StandardMaterial {
+                base_color: Color::BLACK,
+                unlit: true,
+                alpha_mode: AlphaMode::Blend,
+                cull_mode: None,
+                ..default()
+            }),
         }
+    }
+
+    /// What darkens the cloth where little light comes; its alpha is in the vertices.
+    pub fn shade(&self) -> Handle<StandardMaterial> {
+        self.shade.clone()
     }
 
     pub fn get(&self, surface: Surface) -> Handle<StandardMaterial> {
@@ -76,8 +89,8 @@ fn cloth_colour(anisotropy: u16) -> Image {
     paint(Paint::Colour, (512, 512), anisotropy, |u, v| {
         let blotch = noise.sum((u, v), (4, 4), 4);
         let thread = noise.octave((u, v), (256, 64)) + noise.octave((v, u), (256, 64));
-        let light = 1.0 + 0.035 * blotch + 0.05 * thread;
-        [0.025, 0.36, 0.335].map(|c: f32| c * light)
+        let light = 1.0 + 0.012 * blotch + 0.05 * thread;
+        [0.03, 0.44, 0.41].map(|c: f32| c * light)
     })
 }
 
@@ -107,7 +120,7 @@ fn weave(anisotropy: u16) -> Image {
 /// Mahogany, grain along u.
 fn wood_colour(anisotropy: u16) -> Image {
     let noise = Noise::new(23);
-    let (dark, light) = (Vec3::new(0.13, 0.045, 0.022), Vec3::new(0.36, 0.15, 0.07));
+    let (dark, light) = (Vec3::new(0.20, 0.075, 0.035), Vec3::new(0.50, 0.24, 0.12));
     paint(Paint::Colour, (1024, 512), anisotropy, |u, v| {
         let bend = 0.06 * noise.sum((u, v), (2, 3), 2);
         let ring = noise.sum((u, (v + bend).rem_euclid(1.0)), (2, 28), 3);
