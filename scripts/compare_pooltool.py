@@ -255,7 +255,7 @@ def told(seconds):
 
 def report(ours, peer):
     print(f"pooltool {peer['version']} and Massé on {platform.machine()}, {os.cpu_count()} cores, {platform.python_version()}\n")
-    form = "{:<28}{:>14}{:>9}{:>12}{:>14}{:>9}{:>13}{:>9}{:>14}"
+    form = "{:<28}{:>14}{:>9}{:>12}{:>14}{:>9}{:>13}{:>10}{:>17}"
     print(form.format("shot", "pooltool", "events", "events/s", "Massé", "events", "events/s", "faster", "events/s ratio"))
     for mine, yours in zip(ours, peer["shots"]):
         seconds = mine["processor_seconds_mean"] or mine["seconds"]
