@@ -96,7 +96,7 @@ fn show(mut contexts: EguiContexts, mut desk: Desk) -> Result {
         .show(context, |ui| {
             ui.set_width(WIDTH);
             egui::ScrollArea::vertical()
-                .max_height(height - 80.0)
+                .max_height(height - 120.0)
                 .show(ui, |ui| contents(ui, &mut desk));
         });
     if !open {

@@ -104,7 +104,7 @@ fn solver_of(ui: &mut egui::Ui, solver: &mut Solver, laws: &Laws) {
             stepped.tick = 1.0 / rate;
         }
     });
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         ui.label("Grid");
         for grid in GRIDS {
             let name = grid.map_or("none".to_owned(), |(x, z)| format!("{x} × {z}"));

@@ -5,6 +5,7 @@ use bevy_egui::egui;
 
 use super::{Desk, cue_ball};
 use crate::game::aim::{Aim, Swing};
+use crate::physics::ball::State;
 use crate::physics::scene::strike_with;
 use crate::sim::components::ball_and_state;
 
@@ -148,7 +149,9 @@ fn effect(ui: &mut egui::Ui, desk: &Desk, aim: &Aim) {
         return;
     };
     let (_, _, position, velocity, spin, mass, radius, motion) = ball;
-    let (ball, state) = ball_and_state(position, velocity, spin, mass, radius, motion);
+    let (ball, _) = ball_and_state(position, velocity, spin, mass, radius, motion);
+    // A ball that still moves will be struck at rest.
+    let state = State::at_rest(position.0);
     let struck = strike_with(
         &desk.playfield.cue,
         &desk.playfield.laws,
