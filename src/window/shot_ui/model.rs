@@ -60,8 +60,11 @@ fn choice<L: Copy + std::fmt::Debug>(ui: &mut egui::Ui, label: &str, law: &mut L
             for other in all {
                 let other_name = name(&other);
                 let is_present = other_name == present;
-                if ui.selectable_label(is_present, other_name).clicked() && !is_present {
-                    *law = other;
+                if ui.selectable_label(is_present, other_name).clicked() {
+                    if !is_present {
+                        *law = other;
+                    }
+                    ui.close();
                 }
             }
         });

@@ -87,6 +87,7 @@ fn tables(ui: &mut egui::Ui, desk: &mut Desk) {
                     let label = name(preset);
                     if ui.selectable_label(label == shown, label).clicked() {
                         desk.commands.write(PracticeCommand::Table(*preset));
+                        ui.close();
                     }
                 }
             });
