@@ -175,6 +175,7 @@ fn strike(
 }
 
 /// Lays the stick behind its ball while nothing moves; after a stroke follows through and lifts it away.
+#[expect(clippy::too_many_arguments, reason = "everything the stick depends on")]
 fn show(
     time: Res<Time>,
     aim: Res<Aim>,

@@ -32,7 +32,7 @@ impl Edge {
         let offset = other.from - self.from;
         let (s, t) = (offset.perp_dot(b) / turn, offset.perp_dot(a) / turn);
         let inside = 0.0..=1.0;
-        (inside.contains(&s) && inside.contains(&t)).then(|| self.from.x + s * a.x)
+        (inside.contains(&s) && inside.contains(&t)).then_some(self.from.x + s * a.x)
     }
 }
 

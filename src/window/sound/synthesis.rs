@@ -112,3 +112,46 @@ pub(super) fn wav(sound: Sound, hardness: usize) -> Result<Vec<u8>, hound::Error
 fn sample(value: f32) -> i16 {
     (value * PEAK * f32::from(i16::MAX)).round() as i16
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn samples(sound: Sound, hardness: usize) -> Vec<f32> {
+        let bytes = wav(sound, hardness).expect("memory can be written");
+        let reader = hound::WavReader::new(Cursor::new(bytes)).expect("a WAV file");
+        let read = reader.into_samples::<i16>();
+        read.map(|sample| f32::from(sample.expect("16 bits")) / f32::from(i16::MAX))
+            .collect()
+    }
+
+    #[test]
+    fn every_sound_begins_loud_and_dies_away() {
+        for sound in Sound::ALL {
+            for hardness in 0..HARDNESSES {
+                let samples = samples(sound, hardness);
+                let loudest = |part: &[f32]| part.iter().fold(0.0_f32, |most, s| most.max(s.abs()));
+                assert_eq!(samples.len(), 17_640);
+                assert!((loudest(&samples) - PEAK).abs() < 1e-3, "{sound:?}");
+                assert!(loudest(&samples[..4410]) > 0.85, "{sound:?} begins late");
+                assert!(loudest(&samples[15_000..]) < 0.05, "{sound:?} is cut off");
+            }
+        }
+    }
+
+    #[test]
+    fn a_harder_hit_sounds_brighter() {
+        // Changes of sign a second: a measure of pitch.
+        let brightness = |sound, hardness| {
+            let samples = samples(sound, hardness);
+            samples[..2205]
+                .windows(2)
+                .filter(|pair| pair[0] * pair[1] < 0.0)
+                .count()
+        };
+        assert!(brightness(Sound::Balls, 2) > brightness(Sound::Cushion, 2));
+        for sound in Sound::ALL {
+            assert!(brightness(sound, 2) >= brightness(sound, 0), "{sound:?}");
+        }
+    }
+}
