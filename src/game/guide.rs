@@ -131,6 +131,7 @@ fn after(scene: &Scene, leg: &Leg) -> (Option<State>, Option<(usize, State)>) {
             let contact = CushionContact {
                 normal: DVec3::new(normal.x, 0.0, normal.y),
                 nose_height: scene.table.nose_height,
+                nose: scene.table.nose,
                 restitution: None,
             };
             let rebound = scene.laws.cushion.rebound(ball, &leg.end, &contact);
@@ -181,6 +182,7 @@ fn first_hit(
     horizon: f64,
 ) -> Result<Option<(f64, Hit)>, RootError> {
     let radius = scene.balls[ball].ball.radius;
+    let reach = scene.table.reach(radius);
     let mut first: Option<(f64, Hit)> = None;
     let mut note = |time: Option<f64>, hit: Hit| {
         if let Some(time) = time
@@ -206,8 +208,8 @@ fn first_hit(
     }
     for (index, cushion) in scene.table.cushions.iter().enumerate() {
         let time = match cushion {
-            Cushion::Line(line) => contact::line(track, line, radius, horizon)?,
-            Cushion::Arc(arc) => contact::arc(track, arc, radius, horizon)?,
+            Cushion::Line(line) => contact::line(track, line, reach, horizon)?,
+            Cushion::Arc(arc) => contact::arc(track, arc, reach, horizon)?,
         };
         note(time, Hit::Cushion(index));
     }

@@ -73,7 +73,8 @@ pub fn is_free(scene: &Scene, ball: usize, spot: DVec2) -> bool {
         return false;
     };
     let radius = placed.ball.radius;
-    let half = 0.5 * DVec2::new(scene.table.length, scene.table.width) - radius;
+    let reach = scene.table.reach(radius);
+    let half = 0.5 * DVec2::new(scene.table.length, scene.table.width) - reach;
     spot.is_finite()
         && spot.x.abs() <= half.x
         && spot.y.abs() <= half.y
@@ -81,7 +82,7 @@ pub fn is_free(scene: &Scene, ball: usize, spot: DVec2) -> bool {
             .table
             .cushions
             .iter()
-            .all(|cushion| cushion.nearest(spot).0 >= radius)
+            .all(|cushion| cushion.nearest(spot).0 >= reach)
         && scene
             .table
             .pockets
@@ -146,7 +147,7 @@ fn others(scene: &Scene, ball: usize) -> impl Iterator<Item = (DVec2, f64)> {
 fn edges(scene: &Scene, ball: usize) -> Option<Vec<Edge>> {
     let radius = scene.balls.get(ball)?.ball.radius;
     let corner = 0.5 * DVec2::new(scene.table.length, scene.table.width);
-    let half = corner - radius - CLEARANCE;
+    let half = corner - scene.table.reach(radius) - CLEARANCE;
     if half.min_element() < 0.0 {
         return None;
     }
@@ -156,8 +157,10 @@ fn edges(scene: &Scene, ball: usize) -> Option<Vec<Edge>> {
         Edge::Line(DVec2::new(-half.x, 0.0), DVec2::Y),
         Edge::Line(DVec2::new(half.x, 0.0), DVec2::Y),
     ];
-    let reach = radius + CLEARANCE;
-    edges.extend(others(scene, ball).map(|(center, other)| Edge::Circle(center, reach + other)));
+    let reach = scene.table.reach(radius) + CLEARANCE;
+    edges.extend(
+        others(scene, ball).map(|(center, other)| Edge::Circle(center, radius + CLEARANCE + other)),
+    );
     for pocket in &scene.table.pockets {
         edges.push(Edge::Circle(pocket.center, pocket.radius + CLEARANCE));
     }

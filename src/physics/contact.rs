@@ -75,7 +75,7 @@ pub fn pair(
     )
 }
 
-/// When a ball of this radius meets the straight part of a nose, from either side. A nose has no end caps: give it
+/// When a ball that touches at this distance in plan meets the straight part of a nose, from either side. A nose has no end caps: give it
 /// arcs of radius 0 if its ends can be met.
 ///
 /// # Errors
@@ -83,7 +83,7 @@ pub fn pair(
 pub fn line(
     track: &Track,
     line: &Line,
-    radius: f64,
+    reach: f64,
     horizon: f64,
 ) -> Result<Option<f64>, RootError> {
     let along = line.to - line.from;
@@ -107,25 +107,25 @@ pub fn line(
         (0.0..=length).contains(&foot)
     };
     // Each side is fallen upon once at most, because the distance is a parabola in time.
-    let near = roots::quadratic::first_closing([distance - radius, speed, bend], 0.0, horizon)?;
+    let near = roots::quadratic::first_closing([distance - reach, speed, bend], 0.0, horizon)?;
     if let Some(time) = near.filter(|time| meets(*time)) {
         return Ok(Some(time));
     }
     // A path may pass beyond the end of the nose, turn behind it, and come back from there.
-    if bend > 0.0 && speed * speed > 4.0 * bend * (distance + radius) {
+    if bend > 0.0 && speed * speed > 4.0 * bend * (distance + reach) {
         let far =
-            roots::quadratic::first_closing([-distance - radius, -speed, -bend], 0.0, horizon)?;
+            roots::quadratic::first_closing([-distance - reach, -speed, -bend], 0.0, horizon)?;
         return Ok(far.filter(|time| meets(*time)));
     }
     Ok(None)
 }
 
-/// When a ball of this radius meets a round nose from outside.
+/// When a ball that touches at this distance in plan meets a round nose from outside.
 ///
 /// # Errors
 /// [`RootError`] if a number is not finite.
-pub fn arc(track: &Track, arc: &Arc, radius: f64, horizon: f64) -> Result<Option<f64>, RootError> {
-    circle(plan_circle(track, arc.center, radius + arc.radius), horizon)
+pub fn arc(track: &Track, arc: &Arc, reach: f64, horizon: f64) -> Result<Option<f64>, RootError> {
+    circle(plan_circle(track, arc.center, reach + arc.radius), horizon)
 }
 
 /// When the centre of a ball passes the edge of a hole inwards.

@@ -286,7 +286,7 @@ fn bad_scene_files_are_named_with_place_and_value() {
         ),
         (
             ball("position: (0.5, 0.62)"),
-            &["`1`", "inside cushion", "0.013"],
+            &["`1`", "inside cushion", "0.0125"],
         ),
         (ball("position: (NaN, 0)"), &["position.x: NaN"]),
         (ball("position: (0, inf)"), &["position.z: inf"]),

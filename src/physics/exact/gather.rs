@@ -7,7 +7,7 @@ use crate::physics::exact::predict::Partner;
 use crate::physics::exact::walls::{Area, Wall, Walls};
 use crate::physics::exact::{DEEP, SolveError};
 use crate::physics::laws::cluster::{Against, Member, TOUCH, Touching};
-use crate::physics::table::Cushion;
+use crate::physics::table::{Cushion, Nose};
 
 impl Engine {
     /// Adds a ball to the cluster and returns its place.
@@ -48,6 +48,7 @@ impl Engine {
             against: Against::Ball { member: second },
             normal,
             nose_height: 0.0,
+            nose: Nose::Wall,
             restitution: None,
             impulse: 0.0,
         });
@@ -59,7 +60,7 @@ impl Engine {
         let position = member.state.position;
         let (distance, direction) =
             Walls::gap(&self.table, cushion, DVec2::new(position.x, position.z));
-        let overlap = member.body.radius - distance;
+        let overlap = self.table.reach(member.body.radius) - distance;
         if overlap > DEEP {
             return Err(SolveError::Overlap {
                 ball: self.names[member.ball].clone(),
@@ -78,6 +79,7 @@ impl Engine {
                 &member.body,
                 &self.table.cushions[index],
             ),
+            nose: self.table.nose,
             restitution: None,
             impulse: 0.0,
         });
@@ -128,7 +130,7 @@ impl Engine {
         partner: Partner,
     ) -> Result<(), SolveError> {
         let member = &self.cluster.members[place];
-        let (ball, radius) = (member.ball, member.body.radius);
+        let (ball, reach) = (member.ball, self.table.reach(member.body.radius));
         let point = DVec2::new(member.state.position.x, member.state.position.z);
         let here = Area {
             least: point,
@@ -153,7 +155,7 @@ impl Engine {
             if !area.meets(&here) || (place == 0 && partner == Partner::Cushion(cushion)) {
                 continue;
             }
-            if self.touches(cushion, point, radius) {
+            if self.touches(cushion, point, reach) {
                 self.touch_cushion(place, cushion)?;
             }
         }
@@ -161,7 +163,7 @@ impl Engine {
     }
 
     /// Whether a ball touches a cushion; a line has no end caps.
-    pub(super) fn touches(&self, cushion: u32, point: DVec2, radius: f64) -> bool {
+    pub(super) fn touches(&self, cushion: u32, point: DVec2, reach: f64) -> bool {
         let (distance, _) = Walls::gap(&self.table, cushion, point);
         let beside = match &self.table.cushions[cushion as usize] {
             Cushion::Line(line) => {
@@ -170,6 +172,6 @@ impl Engine {
             }
             Cushion::Arc(_) => true,
         };
-        beside && distance <= radius + TOUCH && distance > radius - DEEP
+        beside && distance <= reach + TOUCH && distance > reach - DEEP
     }
 }

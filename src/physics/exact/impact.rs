@@ -1,10 +1,13 @@
 //! Impacts: the law, and the paths that follow.
 
-use crate::physics::ball::State;
+use glam::DVec3;
+
+use crate::physics::ball::{Motion, State};
 use crate::physics::exact::engine::Engine;
 use crate::physics::exact::predict::Partner;
 use crate::physics::exact::{CONTACT_TIME, SLOW, SolveError, Watch};
 use crate::physics::laws::cluster::{Against, Blow, Member, PART, STILL, Touching};
+use crate::physics::laws::motion::MotionLaw;
 use crate::physics::record::{Event, EventKind, Participant};
 
 impl Engine {
@@ -97,6 +100,7 @@ impl Engine {
         for (member, before) in self.cluster.members.iter_mut().zip(&self.before) {
             if member.state != *before {
                 member.state = self.laws.motion.classify(&member.body, member.state);
+                stop(&self.laws.motion, member);
             }
         }
     }
@@ -182,5 +186,20 @@ impl Engine {
             second,
             impulse: contact.impulse,
         });
+    }
+}
+
+/// Brings a ball on cloth to rest that a blow has left with less speed than settles a contact. It would go no further
+/// than 1e-20 m, but touch what it leans on again at each change of motion.
+fn stop(motion: &MotionLaw, member: &mut Member) {
+    let state = &mut member.state;
+    let spin = state.angular_velocity;
+    if matches!(state.motion, Motion::Sliding | Motion::Rolling)
+        && state.velocity.length() <= STILL
+        && member.body.radius * spin.length() <= STILL + member.body.radius * spin.y.abs()
+    {
+        state.velocity = DVec3::ZERO;
+        state.angular_velocity = DVec3::Y * spin.y;
+        *state = motion.classify(&member.body, *state);
     }
 }

@@ -175,11 +175,11 @@ impl Engine {
         wall: Wall,
         search: &mut Search,
     ) -> Result<(), RootError> {
-        let radius = self.flights[ball].radius;
+        let reach = self.table.reach(self.flights[ball].radius);
         let wait = match wall {
             Wall::Cushion(index) => match &self.table.cushions[index as usize] {
-                Cushion::Line(line) => contact::line(track, line, radius, search.wait)?,
-                Cushion::Arc(arc) => contact::arc(track, arc, radius, search.wait)?,
+                Cushion::Line(line) => contact::line(track, line, reach, search.wait)?,
+                Cushion::Arc(arc) => contact::arc(track, arc, reach, search.wait)?,
             },
             Wall::Pocket(index) => {
                 contact::pocket(track, &self.table.pockets[index as usize], search.wait)?

@@ -168,7 +168,7 @@ impl Scene {
             }
             let plan = DVec2::new(position.x, position.z);
             for (cushion, nose) in self.table.cushions.iter().enumerate() {
-                let overlap = radius - nose.nearest(plan).0;
+                let overlap = self.table.reach(radius) - nose.nearest(plan).0;
                 if overlap > OVERLAP_TOLERANCE {
                     return Err(SceneError::InsideCushion {
                         ball: name(),

@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use crate::physics::table::{Arc, Cushion, Line, Pocket, Table};
+use crate::physics::table::{Arc, Cushion, Line, Nose, Pocket, Table};
 
 /// One kind of pocket mouth.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -74,6 +74,7 @@ impl PocketedTable {
             length: self.length,
             width: self.width,
             nose_height: self.nose_height,
+            nose: Nose::Round { radius: 0.0 },
             cushions,
             pockets: self.pockets(x, z),
         }

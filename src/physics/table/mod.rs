@@ -1,9 +1,11 @@
 //! The table: cushions as lines and arcs, pockets as circles, all in plan.
 
 mod build;
+mod nose;
 mod presets;
 
 pub use build::{Mouth, PocketedTable};
+pub use nose::Nose;
 pub use presets::Preset;
 
 use glam::DVec2;
@@ -98,6 +100,9 @@ pub struct Table {
     pub width: f64,
     /// Height of the cushion nose above the slate in m.
     pub nose_height: f64,
+    /// The profile of the nose.
+    #[serde(default)]
+    pub nose: Nose,
     /// All cushions.
     pub cushions: Vec<Cushion>,
     /// All pockets.
@@ -128,9 +133,17 @@ impl Table {
             length,
             width,
             nose_height,
+            nose: Nose::Wall,
             cushions,
             pockets: Vec::new(),
         }
+    }
+
+    /// Distance in plan in m from a nose line at which a ball of this radius on the slate touches it.
+    #[inline]
+    #[must_use]
+    pub fn reach(&self, radius: f64) -> f64 {
+        self.nose.reach(self.nose_height, radius)
     }
 
     /// The point on the centre line a quarter of the length from the foot: where the rack begins.

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::physics::table::{Mouth, PocketedTable, Table};
+use crate::physics::table::{Mouth, Nose, PocketedTable, Table};
 
 /// A table by name.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -44,7 +44,10 @@ impl Preset {
             Self::NineFoot => pool(2.54, 1.27),
             Self::EightFoot => pool(2.3368, 1.1684),
             Self::SevenFoot => pool(1.9812, 0.9906),
-            Self::Carom => Table::closed_box(2.84, 1.42, 0.037),
+            Self::Carom => Table {
+                nose: Nose::Round { radius: 0.0 },
+                ..Table::closed_box(2.84, 1.42, 0.037)
+            },
             Self::Box { length, width } => Table::closed_box(length, width, POOL_NOSE_HEIGHT),
         }
     }

@@ -181,7 +181,7 @@ impl Room {
             .table
             .cushions
             .iter()
-            .all(|nose| nose.nearest(point).0 >= radius)
+            .all(|nose| nose.nearest(point).0 >= scene.table.reach(radius))
             && scene
                 .table
                 .pockets

@@ -125,12 +125,12 @@ impl Contacts {
         time: f64,
     ) {
         let body = &bodies.all[ball];
-        let (track, radius) = (body.track(time), body.ball.radius);
+        let (track, reach) = (body.track(time), table.reach(body.ball.radius));
         let left = (bodies.horizon(time).min(body.change()) - time).max(0.0);
         let met = match &table.cushions[cushion] {
-            Cushion::Line(line) if !bodies.locate => Ok(beyond(table, line, &track, radius)),
-            Cushion::Line(line) => contact::line(&track, line, radius, left),
-            Cushion::Arc(arc) => contact::arc(&track, arc, radius, left),
+            Cushion::Line(line) if !bodies.locate => Ok(beyond(table, line, &track, reach)),
+            Cushion::Line(line) => contact::line(&track, line, reach, left),
+            Cushion::Arc(arc) => contact::arc(&track, arc, reach, left),
         };
         if let Some(met) = self.found(ball, met) {
             self.push(body, ball, Kind::Cushion(cushion), time + met);

@@ -156,6 +156,7 @@ fn happen(bodies: &mut Bodies, playfield: &Playfield, contact: &Contact) -> Even
                 &CushionContact {
                     normal: glam::DVec3::new(away.x, 0.0, away.y),
                     nose_height: table.nose_height,
+                    nose: table.nose,
                     restitution: settled(bodies.all[ball].impacts),
                 },
             );

@@ -4,6 +4,7 @@ use glam::DVec3;
 
 use masse::physics::ball::{Ball, State};
 use masse::physics::laws::cushion::{CushionContact, CushionLaw, Han2005, Mirror};
+use masse::physics::table::Nose;
 
 use super::{moving, rolling};
 use crate::closeness::{assert_close, assert_vectors};
@@ -15,6 +16,7 @@ fn across(nose_height: f64) -> CushionContact {
     CushionContact {
         normal: -DVec3::X,
         nose_height,
+        nose: Nose::Wall,
         restitution: None,
     }
 }

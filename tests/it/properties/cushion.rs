@@ -4,6 +4,7 @@ use proptest::prelude::*;
 
 use masse::physics::ball::Ball;
 use masse::physics::laws::cushion::CushionContact;
+use masse::physics::table::Nose;
 
 use super::inputs::{ball_and_state, cushion_law, horizontal, share};
 use super::{assert_no_gain, cases};
@@ -23,6 +24,7 @@ fn contact(ball: &Ball) -> impl Strategy<Value = CushionContact> + use<> {
         .prop_map(move |(normal, height, restitution)| CushionContact {
             normal,
             nose_height: height * radius,
+            nose: Nose::Wall,
             restitution,
         })
 }

@@ -16,7 +16,7 @@ use masse::physics::laws::cushion::{
 };
 use masse::physics::laws::motion::{Cloth, MotionLaw};
 use masse::physics::laws::slate::SlateLaw;
-use masse::physics::table::{Arc, Cushion, Line};
+use masse::physics::table::{Arc, Cushion, Line, Nose};
 
 use super::{motion, state, text, vector};
 use crate::closeness::{assert_relative, assert_vectors};
@@ -261,6 +261,7 @@ fn reference_cushions() {
             let contact = CushionContact {
                 normal: away.normalize(),
                 nose_height: law.nose_height(setup.height, &tables.ball(), &nose),
+                nose: Nose::Wall,
                 restitution: None,
             };
             let after = law.rebound(&tables.ball(), &before, &contact).state;

@@ -13,7 +13,7 @@ use masse::physics::laws::cushion::{CushionLaw, Inclination, Mirror, Stronge2018
 use masse::physics::laws::motion::{Cloth, MotionLaw};
 use masse::physics::record::{Event, EventKind};
 use masse::physics::scene::{Scene, SceneBall, Solver};
-use masse::physics::table::{Arc, Cushion, Line, Pocket, Table};
+use masse::physics::table::{Arc, Cushion, Line, Nose, Pocket, Table};
 
 use super::{motion, state, text, vector};
 
@@ -143,6 +143,7 @@ impl PeerTable {
             length: self.l,
             width: self.w,
             nose_height: self.linear[0].height,
+            nose: Nose::Wall,
             cushions: lines.chain(arcs).collect(),
             pockets: self
                 .pockets

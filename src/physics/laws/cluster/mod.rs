@@ -9,6 +9,7 @@ pub use smith_2012::{Cluster, ROUNDS};
 use glam::DVec3;
 
 use crate::physics::ball::{Ball, State};
+use crate::physics::table::Nose;
 
 /// Balls closer than this in m touch: rounding of positions written in a file.
 pub const TOUCH: f64 = 1e-9;
@@ -45,6 +46,8 @@ pub struct Touching {
     pub normal: DVec3,
     /// Height of the nose in m, for a cushion.
     pub nose_height: f64,
+    /// Profile of the nose.
+    pub nose: Nose,
     /// Restitution in place of the law's own.
     pub restitution: Option<f64>,
     /// Normal impulse in N s that has passed so far.

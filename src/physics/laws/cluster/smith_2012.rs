@@ -158,6 +158,7 @@ impl Cluster {
                 let geometry = CushionContact {
                     normal: -contact.normal,
                     nose_height: contact.nose_height,
+                    nose: contact.nose,
                     restitution,
                 };
                 let rebound = laws.cushion.rebound(&first.body, &first.state, &geometry);

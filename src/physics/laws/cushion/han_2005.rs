@@ -45,7 +45,7 @@ impl Han2005 {
         let (v_x, v_y, v_z) = (v.dot(x), v.dot(y), v.dot(z));
         let (w_x, w_y, w_z) = (w.dot(x), w.dot(y), w.dot(z));
         let (m, r) = (ball.mass, ball.radius);
-        let sin = (contact.nose_height / r - 1.0).clamp(-1.0, 1.0);
+        let sin = contact.sine(ball);
         let cos = (1.0 - sin * sin).sqrt();
 
         // Slip at the nose (eq. 14) and impulses in the frame of the inclined normal (eqs 17 and 20).

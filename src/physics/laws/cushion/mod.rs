@@ -13,7 +13,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::physics::ball::{Ball, State};
 use crate::physics::laws::{Check, Parameter};
-use crate::physics::table::Cushion;
+use crate::physics::table::{Cushion, Nose};
 
 /// The geometry of one rebound.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,8 +22,27 @@ pub struct CushionContact {
     pub normal: DVec3,
     /// Height of the nose above the slate in m.
     pub nose_height: f64,
+    /// Profile of the nose.
+    pub nose: Nose,
     /// Restitution to use instead of the law's own, for a contact that is coming to rest.
     pub restitution: Option<f64>,
+}
+
+impl CushionContact {
+    /// Sine of the angle by which the line from the centre of a ball on the slate to the nose rises: h/R − 1 for a
+    /// sharp nose.
+    #[must_use]
+    pub fn sine(&self, ball: &Ball) -> f64 {
+        self.nose.sine(self.nose_height, ball.radius, ball.radius)
+    }
+
+    /// Unit vector in space from the nose to the centre of a ball, at the height at which it is.
+    #[must_use]
+    pub fn normal_in_space(&self, ball: &Ball, state: &State) -> DVec3 {
+        let height = state.position.y;
+        self.nose
+            .normal(self.normal, self.nose_height, ball.radius, height)
+    }
 }
 
 /// Velocities after a rebound.

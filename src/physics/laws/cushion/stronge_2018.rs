@@ -69,7 +69,7 @@ impl Stronge2018 {
         let rise = contact.nose_height / ball.radius - 1.0;
         let (sin, cos) = match self.inclination {
             Inclination::Touching => {
-                let sin = rise.clamp(-1.0, 1.0);
+                let sin = contact.sine(ball);
                 (sin, (1.0 - sin * sin).sqrt())
             }
             Inclination::Peer => {
