@@ -98,6 +98,8 @@ pub struct Parameter {
     pub least: f64,
     /// Largest allowed value.
     pub most: f64,
+    /// Where the range comes from, and what has been measured; empty if the range is only a matter of arithmetic.
+    pub basis: &'static str,
 }
 
 impl Parameter {
@@ -109,7 +111,16 @@ impl Parameter {
             value,
             least,
             most,
+            basis: "",
         }
+    }
+
+    /// The same parameter with the source of its range, and what has been measured: part of the message that refuses a
+    /// value.
+    #[must_use]
+    pub fn basis(mut self, basis: &'static str) -> Self {
+        self.basis = basis;
+        self
     }
 
     /// The same parameter with its field path prefixed.

@@ -253,11 +253,11 @@ fn in_play(ball: &SceneBall) -> bool {
 fn check_parameters(parent: &str, checked: &impl Check) -> Result<(), SceneError> {
     for parameter in checked.parameters() {
         let parameter = parameter.within(parent);
-        within(
+        within_basis(
             &parameter.field,
             parameter.value,
-            parameter.least,
-            parameter.most,
+            (parameter.least, parameter.most),
+            parameter.basis,
         )?;
     }
     Ok(())
@@ -298,6 +298,16 @@ fn in_space(field: impl Display, vector: DVec3, most: f64) -> Result<(), SceneEr
 /// # Errors
 /// [`SceneError::NotFinite`] or [`SceneError::OutOfRange`] with the field and the value.
 pub fn within(field: impl Display, value: f64, least: f64, most: f64) -> Result<(), SceneError> {
+    within_basis(field, value, (least, most), "")
+}
+
+/// As [`within`], with the source of the range.
+fn within_basis(
+    field: impl Display,
+    value: f64,
+    (least, most): (f64, f64),
+    basis: &'static str,
+) -> Result<(), SceneError> {
     let field = || field.to_string();
     if !value.is_finite() {
         return Err(SceneError::NotFinite {
@@ -311,6 +321,7 @@ pub fn within(field: impl Display, value: f64, least: f64, most: f64) -> Result<
             value,
             least,
             most,
+            basis,
         });
     }
     Ok(())

@@ -1,6 +1,21 @@
 //! Why a scene cannot be played.
 
+use std::fmt::{self, Display, Formatter};
+
 use thiserror::Error;
+
+/// The source of a range in brackets, nothing if there is none.
+struct Because<'a>(&'a str);
+
+impl Display for Because<'_> {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        if self.0.is_empty() {
+            Ok(())
+        } else {
+            write!(f, " ({})", self.0)
+        }
+    }
+}
 
 /// Why a scene cannot be played. Every variant names the field and the value.
 #[derive(Clone, Debug, Error, PartialEq)]
@@ -25,7 +40,10 @@ pub enum SceneError {
         name: String,
     },
     /// A number is not finite or out of its range.
-    #[error("{field}: {value} is not allowed, it must be between {least} and {most}")]
+    #[error(
+        "{field}: {value} is not allowed, it must be between {least} and {most}{}",
+        Because(basis)
+    )]
     OutOfRange {
         /// Path of the field.
         field: String,
@@ -35,6 +53,8 @@ pub enum SceneError {
         least: f64,
         /// Largest allowed value.
         most: f64,
+        /// Where the range comes from; may be empty.
+        basis: &'static str,
     },
     /// A number is NaN or infinite.
     #[error("{field}: {value} is not a finite number")]

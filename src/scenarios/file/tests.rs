@@ -151,6 +151,23 @@ fn what_is_wrong_is_named() {
             "(table: NineFoot, laws: Custom(slate: Rubbed(rub: 1)))",
             &["rub", "friction"],
         ),
+        (
+            "(table: NineFoot, rack: NineBall(), laws: Custom(cushion: Mirror(restitution: 1.01)))",
+            &[
+                "laws.cushion.restitution: 1.01",
+                "between 0 and 1",
+                "Alciatore",
+            ],
+        ),
+        (
+            "(table: NineFoot, rack: NineBall(), laws: Custom(motion: Coulomb(rolling: -0.01)))",
+            &[
+                "laws.motion.rolling: -0.01",
+                "between 0 and 1",
+                "0.005 to 0.015",
+                "Alciatore",
+            ],
+        ),
         ("(table: NineFoot, version: 2)", &["bad.ron: version: 2"]),
         ("(table: NineFoot)", &["bad.ron: balls: there are 0 balls"]),
         ("(table: NineFoot, balls: [])", &["0 balls"]),

@@ -70,7 +70,7 @@ pub fn horizontal() -> impl Strategy<Value = DVec3> {
 /// Every ball-ball law, with its own and with any allowed parameters.
 pub fn ball_ball_law() -> impl Strategy<Value = BallBallLaw> {
     let friction = prop_oneof![
-        share(10.0).prop_map(Friction::Constant),
+        share(2.0).prop_map(Friction::Constant),
         (share(1.0), share(1.0), share(10.0)).prop_map(|(a, b, c)| Friction::Marlow { a, b, c }),
     ];
     (
@@ -94,7 +94,7 @@ pub fn ball_ball_law() -> impl Strategy<Value = BallBallLaw> {
 
 /// Every cushion law, with its own and with any allowed parameters.
 pub fn cushion_law() -> impl Strategy<Value = CushionLaw> {
-    let numbers = (share(1.0), share(10.0), 1.01..1.99_f64);
+    let numbers = (share(1.0), share(2.0), 1.01..1.99_f64);
     (select(CushionLaw::all()), any::<bool>(), numbers).prop_map(
         |(mut law, vary, (restitution, friction, frequency_ratio))| {
             match &mut law {

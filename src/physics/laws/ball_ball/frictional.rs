@@ -74,7 +74,9 @@ impl Frictional {
 
 impl Check for Frictional {
     fn parameters(&self) -> Vec<Parameter> {
-        let mut parameters = vec![Parameter::new("restitution", self.restitution, 0.0, 1.0)];
+        let mut parameters = vec![
+            Parameter::new("restitution", self.restitution, 0.0, 1.0).basis(super::RESTITUTION),
+        ];
         parameters.extend(self.friction.parameters());
         parameters
     }

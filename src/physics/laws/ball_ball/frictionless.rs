@@ -54,6 +54,6 @@ impl Frictionless {
 
 impl Check for Frictionless {
     fn parameters(&self) -> Vec<Parameter> {
-        vec![Parameter::new("restitution", self.restitution, 0.0, 1.0)]
+        vec![Parameter::new("restitution", self.restitution, 0.0, 1.0).basis(super::RESTITUTION)]
     }
 }

@@ -16,6 +16,10 @@ use serde::{Deserialize, Serialize};
 use crate::physics::ball::{Ball, State};
 use crate::physics::laws::{Check, Parameter};
 
+/// What is known of the restitution of two balls.
+const RESTITUTION: &str = "above 1 an impact would make energy; pool balls measure 0.92 to 0.98, Alciatore, physical \
+                           properties, snooker balls 0.89, Mathavan 2014";
+
 /// The geometry of one impact, and what may override the law in a settling contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PairContact {

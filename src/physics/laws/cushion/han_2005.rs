@@ -76,8 +76,8 @@ impl Han2005 {
 impl Check for Han2005 {
     fn parameters(&self) -> Vec<Parameter> {
         vec![
-            Parameter::new("restitution", self.restitution, 0.0, 1.0),
-            Parameter::new("friction", self.friction, 0.0, 10.0),
+            Parameter::new("restitution", self.restitution, 0.0, 1.0).basis(super::RESTITUTION),
+            Parameter::new("friction", self.friction, 0.0, 2.0).basis(super::FRICTION),
         ]
     }
 }

@@ -34,6 +34,6 @@ impl Mirror {
 
 impl Check for Mirror {
     fn parameters(&self) -> Vec<Parameter> {
-        vec![Parameter::new("restitution", self.restitution, 0.0, 1.0)]
+        vec![Parameter::new("restitution", self.restitution, 0.0, 1.0).basis(super::RESTITUTION)]
     }
 }

@@ -191,8 +191,8 @@ fn crossing(f: impl Fn(f64) -> f64, mut a: f64, mut b: f64) -> f64 {
 impl Check for Stronge2018 {
     fn parameters(&self) -> Vec<Parameter> {
         vec![
-            Parameter::new("restitution", self.restitution, 0.0, 1.0),
-            Parameter::new("friction", self.friction, 0.0, 10.0),
+            Parameter::new("restitution", self.restitution, 0.0, 1.0).basis(super::RESTITUTION),
+            Parameter::new("friction", self.friction, 0.0, 2.0).basis(super::FRICTION),
             Parameter::new("frequency_ratio", self.frequency_ratio, 1.000_001, 2.0),
         ]
     }

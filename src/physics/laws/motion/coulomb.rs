@@ -65,10 +65,16 @@ impl Default for Cloth {
 impl Check for Cloth {
     fn parameters(&self) -> Vec<Parameter> {
         vec![
-            Parameter::new("sliding", self.sliding, 0.0, 2.0),
-            Parameter::new("rolling", self.rolling, 0.0, 1.0),
-            Parameter::new("spin_deceleration", self.spin_deceleration, 0.0, 1e4),
-            Parameter::new("gravity", self.gravity, 1e-6, 1e3),
+            Parameter::new("sliding", self.sliding, 0.0, 2.0)
+                .basis("dry friction; balls on cloth measure 0.15 to 0.4, Alciatore, physical properties"),
+            Parameter::new("rolling", self.rolling, 0.0, 1.0).basis(
+                "above 1 a ball would rather slide; cloths measure 0.005 to 0.015, Alciatore, physical properties, and \
+                 heated ones 0.004",
+            ),
+            Parameter::new("spin_deceleration", self.spin_deceleration, 0.0, 1e4)
+                .basis("rad/s²; 5 to 15 measured, Alciatore, physical properties"),
+            Parameter::new("gravity", self.gravity, 1e-6, 1e3)
+                .basis("m/s²; 9.78 to 9.83 on Earth, and a ball on cloth needs some"),
         ]
     }
 }

@@ -51,7 +51,10 @@ impl Check for SlateLaw {
     fn parameters(&self) -> Vec<Parameter> {
         match *self {
             Self::Held => Vec::new(),
-            Self::Rubbed { friction } => vec![Parameter::new("friction", friction, 0.0, 2.0)],
+            Self::Rubbed { friction } => vec![
+                Parameter::new("friction", friction, 0.0, 2.0)
+                    .basis("dry friction; balls on cloth measure 0.15 to 0.4, Alciatore, physical properties"),
+            ],
         }
     }
 }
