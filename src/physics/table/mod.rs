@@ -146,6 +146,13 @@ impl Table {
         self.nose.reach(self.nose_height, radius)
     }
 
+    /// Height in m of the wood behind the cushions: it lies a little higher than the noses, so that a cue that rests on it
+    /// clears them.
+    #[must_use]
+    pub fn rail_height(&self) -> f64 {
+        1.16 * self.nose_height
+    }
+
     /// The point on the centre line a quarter of the length from the foot: where the rack begins.
     #[must_use]
     pub fn foot_spot(&self) -> DVec2 {

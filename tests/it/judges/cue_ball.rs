@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use masse::physics::ball::{Ball, State};
-use masse::physics::cue::{Cue, Shot};
+use masse::physics::cue::{Cue, Shot, Tip};
 use masse::physics::laws::cue_ball::{Struck, squirt_angle, strike};
 use masse::physics::laws::slate::SlateLaw;
 
@@ -19,6 +19,7 @@ fn cue(tip_restitution: f64) -> Cue {
         tip_restitution,
         end_mass: 0.0,
         miscue_offset: 0.5,
+        ..Cue::default()
     }
 }
 
@@ -94,6 +95,56 @@ fn j11_a_hit_at_two_fifths_rolls_at_once() {
     assert_vectors("slip", slip, DVec3::ZERO, 1e-14, "m/s");
     let state = moving(state.velocity, state.angular_velocity);
     assert_eq!(state.motion, masse::physics::ball::Motion::Rolling);
+}
+
+#[test]
+fn a_tip_is_named_by_what_it_is_made_of() {
+    for tip in Tip::ALL {
+        let (least, most) = tip.measured_restitution();
+        let cue = Cue::default().with_tip(tip);
+        assert!((least..=most).contains(&cue.tip_restitution), "{tip:?}");
+        let state = struck(
+            &Cue {
+                end_mass: 0.0,
+                ..cue
+            },
+            &shot(0.0, 0.0),
+        )
+        .state;
+        let expected = (1.0 + tip.restitution()) / (1.0 + BALL.mass / cue.mass);
+        assert_relative("v/V₀", state.velocity.x / 3.0, expected, 1e-14, "1");
+    }
+}
+
+#[test]
+fn the_miscue_offset_is_the_friction_of_the_tip() {
+    assert_printed("Alciatore's 0.6", Cue::miscue_offset_of(0.6), 0.514, 3, "R");
+    for offset in [0.0, 0.3, 0.5, 0.9] {
+        let cue = Cue {
+            miscue_offset: offset,
+            ..cue(1.0)
+        };
+        let back = Cue::miscue_offset_of(cue.tip_friction());
+        assert_close("offset", back, offset, 1e-15, "R");
+        // At the limit the force of a gripping tip lies on the edge of the friction cone.
+        let shot = shot(offset, 0.0);
+        let lean = shot.along().cross(shot.contact()).length() / -shot.along().dot(shot.contact());
+        assert_close("tangent", lean, cue.tip_friction(), 1e-14, "1");
+    }
+}
+
+#[test]
+fn a_round_tip_is_held_farther_out_than_it_hits() {
+    // A nickel of 10.6 mm on a ball of 28.575 mm: 37 % farther out.
+    assert_printed("pool", Cue::default().tip_offset(&BALL), 1.371, 3, "1");
+    let sharp = Cue {
+        tip_radius: 0.0,
+        ..Cue::default()
+    };
+    assert_eq!(sharp.tip_offset(&BALL), 1.0);
+    // What the tip is like changes nothing of the stroke, because the contact is named.
+    let round = struck(&Cue::default(), &shot(0.3, -0.2)).state;
+    assert_eq!(struck(&sharp, &shot(0.3, -0.2)).state, round);
 }
 
 #[test]
@@ -196,6 +247,9 @@ fn a_miscue_begins_at_its_offset_and_without_a_jump() {
     );
     assert!(far.miscue && !gripped.miscue);
     let spin = |struck: &Struck| struck.state.angular_velocity.y;
+    // What is left falls to nothing where the cue passes the ball by.
+    let push = |offset: f64| struck(&cue(1.0), &shot(offset, 0.0)).impulse;
+    assert!(push(0.6) < push(0.5) && push(0.8) < push(0.6) && push(0.99) < 0.2 * push(0.5));
     assert!(
         spin(&far) < spin(&gripped),
         "a tip that slips gives less spin"

@@ -18,6 +18,7 @@ fn cue() -> impl Strategy<Value = Cue> {
             tip_restitution,
             end_mass,
             miscue_offset,
+            ..Cue::default()
         },
     )
 }

@@ -341,6 +341,7 @@ fn reference_cue_strike() {
             tip_restitution: 1.0,
             end_mass: row.end_mass,
             miscue_offset: 0.99,
+            ..Cue::default()
         };
         let shot = Shot {
             heading: (row.phi - 90.0).to_radians(),

@@ -7,8 +7,10 @@
 //! Then squirt turns the velocity away from the english by α, tan α = 2.5 b √(1 − b²) / (1 + m/mₑ + 2.5 (1 − b²)), b the
 //! sideways offset in R, mₑ the end mass of the cue (TP A.31); it does not depend on speed.
 //!
-//! Beyond the miscue offset the tip slips. The impulse then lies on the edge of the friction cone around the
-//! contact normal, so the ball gets less speed, in a direction turned away from the cue: a miscue.
+//! Beyond the miscue offset b₀ the tip slips: a miscue. The impulse then lies on the edge of the friction cone around the
+//! contact normal, so the ball leaves in a direction turned away from the cue. And while the tip slips the ball has to take
+//! up only the normal part of the cue's approach, V₀ √(1 − b²), so J is less by √((1 − b²) / (1 − b₀²)): nothing at b₀, all
+//! of it at the rim, where the cue passes the ball by. (Our own continuation; no measured miscues were found.)
 
 use glam::DVec3;
 
@@ -32,20 +34,17 @@ pub struct Struck {
 /// Velocity and spin of a ball at rest after this stroke. `slate` takes up the downward part of an elevated hit.
 #[must_use]
 pub fn strike(cue: &Cue, slate: &SlateLaw, ball: &Ball, state: &State, shot: &Shot) -> Struck {
-    let forward = shot.forward();
-    let right = forward.cross(DVec3::Y);
-    let (sin, cos) = (libm::sin(shot.elevation), libm::cos(shot.elevation));
-    let along = cos * forward - sin * DVec3::Y;
-    let up = sin * forward + cos * DVec3::Y;
-
+    let along = shot.along();
+    let contact = shot.contact();
     let offset = shot.offset();
-    let depth = (1.0 - offset * offset).max(0.0).sqrt();
-    let contact = shot.side * right + shot.height * up - depth * along;
     let miscue = offset > cue.miscue_offset;
-    let direction = if miscue {
-        cone_edge(contact, along, cue.miscue_offset)
+    let (direction, share) = if miscue {
+        (
+            cone_edge(contact, along, cue.miscue_offset),
+            slipping_share(offset, cue.miscue_offset),
+        )
     } else {
-        along
+        (along, 1.0)
     };
 
     let lever = if ball.spins {
@@ -53,7 +52,7 @@ pub fn strike(cue: &Cue, slate: &SlateLaw, ball: &Ball, state: &State, shot: &Sh
     } else {
         DVec3::ZERO
     };
-    let impulse = (1.0 + cue.tip_restitution) * shot.speed * direction.dot(along)
+    let impulse = share * (1.0 + cue.tip_restitution) * shot.speed * direction.dot(along)
         / (1.0 / cue.mass + 1.0 / ball.mass + lever.length_squared() / ball.inertia());
     let squirt = squirt_angle(cue, ball, shot.side);
     let velocity = turned_left(impulse / ball.mass * direction, squirt);
@@ -91,6 +90,11 @@ fn cone_edge(contact: DVec3, along: DVec3, miscue_offset: f64) -> DVec3 {
     let tangent = (along - along.dot(normal) * normal).normalize_or_zero();
     let grip = (1.0 - miscue_offset * miscue_offset).sqrt();
     grip * normal + miscue_offset * tangent
+}
+
+/// What is left of the impulse when the tip slips, 1 at the miscue offset, 0 at the rim.
+fn slipping_share(offset: f64, miscue_offset: f64) -> f64 {
+    ((1.0 - offset * offset).max(0.0) / (1.0 - miscue_offset * miscue_offset)).sqrt()
 }
 
 /// The vector turned about the vertical by this angle in rad, counter-clockwise seen from above.

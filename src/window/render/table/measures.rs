@@ -48,7 +48,7 @@ impl Measures {
             },
             rail: 0.125 * scale,
             nose: table.nose_height,
-            top: table.nose_height * 1.16,
+            top: table.rail_height(),
             rim: 0.013,
             scale,
         }
