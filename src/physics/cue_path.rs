@@ -93,7 +93,7 @@ pub fn obstacle(scene: &Scene, ball: usize, shot: &Shot) -> Option<Obstacle> {
     note(axis.above_slate(), Obstacle::Slate);
     for (index, other) in scene.balls.iter().enumerate() {
         if index != ball && other.state.motion != Motion::Pocketed {
-            let clearance = axis.from_ball(other.state.position, other.ball.radius);
+            let clearance = axis.beside_ball(other.state.position, other.ball.radius);
             note(clearance, Obstacle::Ball(index));
         }
     }
@@ -156,7 +156,7 @@ impl Axis {
     }
 
     /// Clearance from a sphere: the least over the spheres that fill the cue from its tip to its butt.
-    fn from_ball(&self, center: DVec3, radius: f64) -> f64 {
+    fn beside_ball(&self, center: DVec3, radius: f64) -> f64 {
         let offset = center - self.tip;
         let middle = offset.dot(self.back);
         let aside = (offset.length_squared() - middle * middle).max(0.0).sqrt();

@@ -128,7 +128,7 @@ fn a_level_cue_meets_the_wood_behind_the_table() {
     assert_eq!(found.over, Some(Obstacle::Rail));
     let table = Preset::NineFoot.table();
     let (away, rise) = (0.685, table.rail_height() - R);
-    let tilt = libm::atan2(rise, away) + libm::asin(0.01 / away.hypot(rise));
+    let tilt = libm::atan2(rise, away) + libm::asin(0.01 / libm::hypot(away, rise));
     assert_close("elevation", found.elevation, tilt, 1e-8, "rad");
     // From the far end no cue reaches the rail, and only the slate is below.
     let far = scene_with(&scene, (1.0, 0.0));
