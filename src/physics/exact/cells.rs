@@ -4,6 +4,8 @@
 //! and the eight cells around. A ball that leaves its cell is an event of its own, at which only its neighbours are
 //! looked through again (Lubachevsky 1991; Marín, Risso & Cordero 1993). Border cells reach to infinity.
 
+use std::ops::{Deref, Range};
+
 use glam::DVec2;
 
 use crate::physics::contact::Track;
@@ -13,19 +15,70 @@ use crate::physics::table::Table;
 
 const NONE: u32 = u32::MAX;
 
+/// How many balls of a cell are found without a list.
+const ROOM: usize = 4;
+
 /// The grid and who is where.
 #[derive(Clone, Debug)]
 pub(super) struct Cells {
     columns: u32,
     rows: u32,
+    /// Cells from one row to the next: a rim of empty cells lies around.
+    stride: u32,
     origin: DVec2,
     size: DVec2,
-    heads: Vec<u32>,
+    /// The balls of each cell, in any places; the last place begins a list that goes on in `next`.
+    rooms: Vec<[u32; ROOM]>,
     next: Vec<u32>,
-    before: Vec<u32>,
     pub(super) cell_of: Vec<u32>,
     wall_starts: Vec<u32>,
     walls: Vec<u32>,
+    /// Columns and rows between which no cell has walls.
+    open: [Range<u32>; 2],
+}
+
+/// Balls that may be met.
+#[derive(Clone, Debug)]
+pub(super) struct Neighbours {
+    balls: [u32; Self::MOST],
+    count: usize,
+}
+
+impl Neighbours {
+    /// Room for a part of a table that is not packed with dwarfs.
+    const MOST: usize = 64;
+
+    pub(super) fn none() -> Self {
+        Self {
+            balls: [0; Self::MOST],
+            count: 0,
+        }
+    }
+
+    #[inline]
+    pub(super) fn push(&mut self, ball: u32) {
+        self.balls[self.count] = ball;
+        self.count += 1;
+    }
+
+    /// Whether the balls of one more cell may not find room.
+    #[inline]
+    pub(super) fn is_full(&self) -> bool {
+        self.count > Self::MOST - 3 * ROOM
+    }
+
+    pub(super) fn clear(&mut self) {
+        self.count = 0;
+    }
+}
+
+impl Deref for Neighbours {
+    type Target = [u32];
+
+    #[inline]
+    fn deref(&self) -> &[u32] {
+        &self.balls[..self.count]
+    }
 }
 
 impl Cells {
@@ -40,22 +93,28 @@ impl Cells {
         let rows = (area.y / wide).floor().clamp(1.0, 4096.0);
         let size = DVec2::new(area.x / columns, area.y / rows);
         let (columns, rows) = (columns as u32, rows as u32);
-        let total = (columns * rows) as usize;
+        let stride = columns + 2;
+        let total = (stride * (rows + 2)) as usize;
         let mut cells = Self {
             columns,
             rows,
+            stride,
             origin: -0.5 * area,
             size,
-            heads: vec![NONE; total],
+            rooms: vec![[NONE; ROOM]; total],
             next: vec![NONE; count],
-            before: vec![NONE; count],
             cell_of: vec![NONE; count],
             wall_starts: Vec::with_capacity(total + 1),
             walls: Vec::new(),
+            open: [0..0, 0..0],
         };
         for cell in 0..total {
             cells.wall_starts.push(cells.walls.len() as u32);
-            let area = cells.area(cell as u32);
+            let (column, row) = cells.place(cell as u32);
+            if column >= columns || row >= rows {
+                continue; // the rim
+            }
+            let area = cells.area(column, row);
             for (index, (_, bounds)) in walls.list.iter().enumerate() {
                 if bounds.meets(&area) {
                     cells.walls.push(index as u32);
@@ -63,12 +122,38 @@ impl Cells {
             }
         }
         cells.wall_starts.push(cells.walls.len() as u32);
+        cells.open = cells.without_walls(walls);
         cells
     }
 
+    /// The columns and the rows whose cells lie in the open part of the table.
+    fn without_walls(&self, walls: &Walls) -> [Range<u32>; 2] {
+        let holds = |column: u32, row: u32, axis: usize| {
+            let (area, open) = (self.area(column, row), walls.open());
+            open.least[axis] < area.least[axis] && area.most[axis] < open.most[axis]
+        };
+        let range = |count: u32, is_open: &dyn Fn(u32) -> bool| {
+            let first = (0..count).find(|&i| is_open(i)).unwrap_or(count);
+            let end = (first..count).find(|&i| !is_open(i)).unwrap_or(count);
+            first..end
+        };
+        [
+            range(self.columns, &|column| holds(column, 0, 0)),
+            range(self.rows, &|row| holds(0, row, 1)),
+        ]
+    }
+
+    /// Column and row of a cell; beyond the last of them on the rim.
+    #[inline]
+    fn place(&self, cell: u32) -> (u32, u32) {
+        (
+            (cell % self.stride).wrapping_sub(1),
+            (cell / self.stride).wrapping_sub(1),
+        )
+    }
+
     /// Bounds of a cell; border cells reach to infinity, and all a little beyond their lines, for rounding.
-    fn area(&self, cell: u32) -> Area {
-        let (column, row) = (cell % self.columns, cell / self.columns);
+    fn area(&self, column: u32, row: u32) -> Area {
         let line = |index: u32, count: u32, origin: f64, size: f64| {
             if index == 0 {
                 f64::NEG_INFINITY
@@ -96,17 +181,15 @@ impl Cells {
         let place = (point - self.origin) / self.size;
         let column = place.x.floor().clamp(0.0, f64::from(self.columns - 1)) as u32;
         let row = place.y.floor().clamp(0.0, f64::from(self.rows - 1)) as u32;
-        row * self.columns + column
+        (row + 1) * self.stride + column + 1
     }
 
     pub(super) fn insert(&mut self, ball: u32, cell: u32) {
-        let head = self.heads[cell as usize];
-        self.next[ball as usize] = head;
-        self.before[ball as usize] = NONE;
-        if head != NONE {
-            self.before[head as usize] = ball;
-        }
-        self.heads[cell as usize] = ball;
+        let room = &mut self.rooms[cell as usize];
+        let free = room[..ROOM - 1].iter().position(|other| *other == NONE);
+        let place = free.unwrap_or(ROOM - 1);
+        self.next[ball as usize] = if free.is_none() { room[place] } else { NONE };
+        room[place] = ball;
         self.cell_of[ball as usize] = cell;
     }
 
@@ -115,35 +198,58 @@ impl Cells {
         if cell == NONE {
             return;
         }
-        let (before, next) = (self.before[ball as usize], self.next[ball as usize]);
-        if before == NONE {
-            self.heads[cell as usize] = next;
-        } else {
-            self.next[before as usize] = next;
-        }
-        if next != NONE {
-            self.before[next as usize] = before;
-        }
         self.cell_of[ball as usize] = NONE;
+        let next = self.next[ball as usize];
+        let room = &mut self.rooms[cell as usize];
+        if let Some(place) = room.iter().position(|other| *other == ball) {
+            room[place] = next;
+            return;
+        }
+        let mut before = room[ROOM - 1];
+        while before != NONE {
+            let after = self.next[before as usize];
+            if after == ball {
+                self.next[before as usize] = next;
+                return;
+            }
+            before = after;
+        }
     }
 
-    /// Visits the balls in the cell of a ball and in those around it, itself among them, until one visit fails.
+    /// Collects the balls in the cell of a ball and in those around it, itself among them. Where they are more than a list
+    /// holds they come in several.
     #[inline]
     pub(super) fn around<E>(
         &self,
         ball: u32,
-        mut visit: impl FnMut(usize) -> Result<(), E>,
+        list: &mut Neighbours,
+        mut full: impl FnMut(&mut Neighbours) -> Result<(), E>,
     ) -> Result<(), E> {
         let cell = self.cell_of[ball as usize];
-        let (column, row) = (cell % self.columns, cell / self.columns);
-        let left = column.saturating_sub(1);
-        let right = (column + 1).min(self.columns - 1);
-        for row in row.saturating_sub(1)..=(row + 1).min(self.rows - 1) {
-            let line = row * self.columns;
-            for &head in &self.heads[(line + left) as usize..=(line + right) as usize] {
-                let mut other = head;
+        for first in [cell - self.stride - 1, cell - 1, cell + self.stride - 1] {
+            let rooms = &self.rooms[first as usize..first as usize + 3];
+            if list.is_full() {
+                full(list)?;
+                list.clear();
+            }
+            // Without branches: most places are empty, and which is not to be guessed.
+            for room in rooms {
+                for &other in room {
+                    list.balls[list.count] = other;
+                    list.count += usize::from(other != NONE);
+                }
+            }
+            for room in rooms {
+                if room[ROOM - 1] == NONE {
+                    continue;
+                }
+                let mut other = self.next[room[ROOM - 1] as usize];
                 while other != NONE {
-                    visit(other as usize)?;
+                    if list.is_full() {
+                        full(list)?;
+                        list.clear();
+                    }
+                    list.push(other);
                     other = self.next[other as usize];
                 }
             }
@@ -152,7 +258,12 @@ impl Cells {
     }
 
     /// Places in the list of walls of all that can be touched in the cell of a ball.
+    #[inline]
     pub(super) fn walls(&self, ball: u32) -> &[u32] {
+        let (column, row) = self.place(self.cell_of[ball as usize]);
+        if self.open[0].contains(&column) && self.open[1].contains(&row) {
+            return &[];
+        }
         let cell = self.cell_of[ball as usize] as usize;
         &self.walls[self.wall_starts[cell] as usize..self.wall_starts[cell + 1] as usize]
     }
@@ -165,12 +276,15 @@ impl Cells {
         horizon: f64,
     ) -> Result<Option<(f64, u32)>, RootError> {
         let cell = self.cell_of[ball as usize];
-        let (column, row) = (cell % self.columns, cell / self.columns);
+        let (column, row) = self.place(cell);
         let (p, v, h) = (track.position, track.velocity, 0.5 * track.acceleration);
         let mut best = None;
         let mut horizon = horizon;
         let mut side = |c: [f64; 3], to: u32| -> Result<(), RootError> {
             if c[1] >= 0.0 && c[2] >= 0.0 {
+                return Ok(());
+            }
+            if c[2] == 0.0 && c[0] + horizon * c[1] > 1e-9 * c[0] && c[0] > 0.0 {
                 return Ok(());
             }
             if let Some(time) = quadratic::first_closing(c, 0.0, horizon)?
@@ -190,10 +304,10 @@ impl Cells {
             side([left + self.size.x - p.x, -v.x, -h.x], cell + 1)?;
         }
         if row > 0 {
-            side([p.z - near, v.z, h.z], cell - self.columns)?;
+            side([p.z - near, v.z, h.z], cell - self.stride)?;
         }
         if row + 1 < self.rows {
-            side([near + self.size.y - p.z, -v.z, -h.z], cell + self.columns)?;
+            side([near + self.size.y - p.z, -v.z, -h.z], cell + self.stride)?;
         }
         Ok(best)
     }

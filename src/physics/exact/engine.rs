@@ -44,6 +44,8 @@ pub struct Engine {
     pub(super) parting: Vec<f64>,
     pub(super) lasting: Vec<bool>,
     pub(super) near: Vec<usize>,
+    /// All balls, where they are not found by cells.
+    pub(super) everyone: Vec<u32>,
 }
 
 impl Engine {
@@ -82,7 +84,7 @@ impl Engine {
     /// A time in s before which nothing happens; `None` if nothing ever will.
     #[must_use]
     pub fn next_time(&self) -> Option<f64> {
-        let (_, time) = self.queue.first();
+        let time = self.queue.first_time();
         time.is_finite().then_some(time)
     }
 

@@ -2,6 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
+use crate::physics::exact::cells::Neighbours;
 use crate::physics::exact::engine::Engine;
 use crate::physics::exact::predict::Partner;
 use crate::physics::exact::walls::{Area, Wall, Walls};
@@ -105,7 +106,13 @@ impl Engine {
                 };
                 match &self.cells {
                     None => (0..self.flights.len()).try_for_each(look)?,
-                    Some(cells) => cells.around(ball as u32, &mut look)?,
+                    Some(cells) => {
+                        let mut list = Neighbours::none();
+                        cells.around(ball as u32, &mut list, |list| {
+                            list.iter().try_for_each(|&other| look(other as usize))
+                        })?;
+                        list.iter().try_for_each(|&other| look(other as usize))?;
+                    }
                 }
             }
             // Cells list their balls in any order.

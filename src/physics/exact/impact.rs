@@ -18,6 +18,11 @@ impl Engine {
         partner: Partner,
         watch: &mut impl Watch,
     ) -> Result<(), SolveError> {
+        if let Partner::Ball(other) = partner
+            && self.collide_alone(ball, other as usize, watch)?
+        {
+            return Ok(());
+        }
         self.cluster.clear();
         self.join(ball);
         match partner {

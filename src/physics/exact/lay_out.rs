@@ -61,6 +61,10 @@ impl Engine {
         let walls = Walls::new(&scene.table, radius);
         let cells = (count >= MANY || walls.list.len() >= MANY_WALLS)
             .then(|| Cells::new(&scene.table, &walls, count, 2.0 * radius));
+        let everyone = match cells {
+            Some(_) => Vec::new(),
+            None => (0..count as u32).collect(),
+        };
         let mut engine = Self {
             table: scene.table.clone(),
             laws: scene.laws,
@@ -84,6 +88,7 @@ impl Engine {
             parting: Vec::new(),
             lasting: Vec::new(),
             near: Vec::new(),
+            everyone,
         };
         engine.place(scene)?;
         Ok(engine)

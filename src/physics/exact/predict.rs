@@ -1,11 +1,13 @@
 //! The next event of one ball.
 
 use crate::physics::contact::{self, Track};
+use crate::physics::exact::cells::Neighbours;
 use crate::physics::exact::engine::Engine;
+use crate::physics::exact::flight::Glide;
 use crate::physics::exact::walls::{Area, Wall};
 use crate::physics::exact::{SolveError, Watch};
 use crate::physics::record::{Event, EventKind, Participant};
-use crate::physics::roots::RootError;
+use crate::physics::roots::{RootError, quadratic};
 use crate::physics::table::Cushion;
 
 /// With whom or what.
@@ -61,17 +63,28 @@ impl Search {
 impl Engine {
     /// Finds the next event of a ball whose path, neighbourhood or partner has changed.
     pub(super) fn predict(&mut self, ball: usize) -> Result<(), SolveError> {
-        let next = self.search(ball).map_err(|source| SolveError::Root {
-            ball: self.names[ball].clone(),
-            time: self.clock,
-            source,
-        })?;
+        self.predict_among(ball, None)
+    }
+
+    /// The same where the balls that can be met are known.
+    pub(super) fn predict_among(
+        &mut self,
+        ball: usize,
+        among: Option<&Neighbours>,
+    ) -> Result<(), SolveError> {
+        let next = self
+            .search(ball, among)
+            .map_err(|source| SolveError::Root {
+                ball: self.names[ball].clone(),
+                time: self.clock,
+                source,
+            })?;
         self.next[ball] = next;
         self.queue.set(ball, next.time);
         Ok(())
     }
 
-    fn search(&self, ball: usize) -> Result<Next, RootError> {
+    fn search(&self, ball: usize, among: Option<&Neighbours>) -> Result<Next, RootError> {
         let now = self.clock;
         let flight = &self.flights[ball];
         if !flight.in_play {
@@ -90,15 +103,17 @@ impl Engine {
             }
             self.search_walls(ball, &track, &mut search)?;
         }
-        match &self.cells {
-            None => {
-                for other in 0..self.flights.len() {
-                    self.search_pair(ball, &track, other, &mut search)?;
-                }
+        let glide = flight.level.then(|| flight.glide(now));
+        let mut pairs =
+            |list: &[u32]| self.search_pairs(ball, &track, glide.as_ref(), list, &mut search);
+        match (among, &self.cells) {
+            (Some(list), _) => pairs(list)?,
+            (None, Some(cells)) => {
+                let mut list = Neighbours::none();
+                cells.around(ball as u32, &mut list, |list| pairs(list))?;
+                pairs(&list)?;
             }
-            Some(cells) => cells.around(ball as u32, |other| {
-                self.search_pair(ball, &track, other, &mut search)
-            })?,
+            (None, None) => pairs(&self.everyone)?,
         }
         if search.wait == f64::INFINITY {
             return Ok(Next::NEVER);
@@ -117,6 +132,48 @@ impl Engine {
             partner: search.partner,
             count,
         })
+    }
+
+    /// Looks for contacts with these balls, the ball itself perhaps among them.
+    fn search_pairs(
+        &self,
+        ball: usize,
+        track: &Track,
+        glide: Option<&Glide>,
+        list: &[u32],
+        search: &mut Search,
+    ) -> Result<(), RootError> {
+        let now = self.clock;
+        let Some(glide) = glide else {
+            return list
+                .iter()
+                .try_for_each(|&other| self.search_pair(ball, track, other as usize, search));
+        };
+        for list in list.chunks(u32::BITS as usize) {
+            // Which of them are not ruled out by a few products: one or two of ten, so no branch tells.
+            let mut left = 0_u32;
+            for (place, &other) in list.iter().enumerate() {
+                let flight = &self.flights[other as usize];
+                let open = quadratic::stays_open(glide.gap(&flight.glide(now)), search.wait);
+                left |= u32::from(!(open & flight.level)) << place;
+            }
+            while left != 0 {
+                let other = list[left.trailing_zeros() as usize];
+                left &= left - 1;
+                let flight = &self.flights[other as usize];
+                if !flight.level {
+                    self.search_pair(ball, track, other as usize, search)?;
+                    continue;
+                }
+                let gap = glide.gap(&flight.glide(now));
+                if !quadratic::stays_open(gap, search.wait) {
+                    let horizon = search.wait.min(flight.until - now);
+                    let wait = quadratic::first_closing(gap, 0.0, horizon)?;
+                    search.offer(wait, Partner::Ball(other));
+                }
+            }
+        }
+        Ok(())
     }
 
     #[inline]
@@ -195,7 +252,7 @@ impl Engine {
 
     /// Lets the earliest event happen; the clock stands at its time.
     pub(super) fn step(&mut self, watch: &mut impl Watch) -> Result<(), SolveError> {
-        let (ball, _) = self.queue.first();
+        let ball = self.queue.first();
         let next = self.next[ball];
         match next.partner {
             Partner::Nothing => Ok(()),

@@ -121,6 +121,11 @@ impl Walls {
         Self { list, open }
     }
 
+    /// A box in which nothing is touched.
+    pub(super) fn open(&self) -> &Area {
+        &self.open
+    }
+
     /// Whether a path with this box touches nothing.
     pub(super) fn is_open(&self, path: &Area) -> bool {
         self.open.holds(path)
