@@ -1,5 +1,6 @@
 //! The command line.
 
+mod judge;
 mod list;
 mod picture;
 mod play;
@@ -20,6 +21,7 @@ use crate::physics::scene::SceneError;
 use crate::report::record_file::RecordFileError;
 use crate::scenarios::file::FileError;
 use crate::scenarios::library::OpenError;
+use judge::JudgeOptions;
 use run::RunOptions;
 
 /// Massé: a billiards game and simulator.
@@ -40,7 +42,8 @@ use run::RunOptions;
         masse run break-nine --picture break.svg -q  draw the paths and write nothing else\n  \
         masse run my.ron --solver stepped --tick 0.001 --out my.jsonl\n  \
         masse picture my.jsonl my.svg                draw a run that was written, without running it again\n  \
-        masse write gas gas.ron                      write a scene out in full, to change it\n\n\
+        masse write gas gas.ron                      write a scene out in full, to change it\n  \
+        masse judge                                  every law beside closed forms and experiments\n\n\
         RECORDS\n  \
         `masse run` writes a record: a line with the scene as it was, a line for each event, the paths that the events do\n  \
         not tell, and a summary. Every line is a JSON object. An event has: time in s, kind (strike, ball_ball, cushion,\n  \
@@ -49,6 +52,7 @@ use run::RunOptions;
         digits; the same scene gives the same text.\n\n\
         EXIT CODES\n  \
         0  done\n  \
+        1  `masse judge`: an exact judge misses\n  \
         2  bad input: the message names the file, the place in it and the value; nothing is written\n  \
         3  a file cannot be written\n  \
         4  the solver could not finish the scene"
@@ -75,6 +79,8 @@ enum Command {
         #[arg(value_name = "FILE.svg")]
         file: PathBuf,
     },
+    /// Compare every law with closed forms and with experiments: tables and pictures
+    Judge(JudgeOptions),
     /// Name the scenes that are built in
     List,
     /// Write a scene out in full as a scene file
@@ -147,6 +153,7 @@ pub fn main() -> ExitCode {
         Some(Command::Picture { record, file }) => {
             picture::draw(&record, &file).map(|()| ExitCode::SUCCESS)
         }
+        Some(Command::Judge(options)) => judge::run(&options),
         Some(Command::List) => list::list().map(|()| ExitCode::SUCCESS),
         Some(Command::Write { scene, file }) => {
             write::write(&scene, &file).map(|()| ExitCode::SUCCESS)

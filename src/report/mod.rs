@@ -1,4 +1,6 @@
-//! What is told about a run: record files and pictures, and later tables of judges and of speed.
+//! What is told about a run: record files and pictures, tables of judges, charts, and later of speed.
 
+pub mod chart;
+pub mod judge;
 pub mod picture;
 pub mod record_file;

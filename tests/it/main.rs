@@ -9,6 +9,7 @@ mod controls;
 mod cue_path;
 mod exact;
 mod frames;
+mod judge;
 mod judges;
 mod live_exact;
 mod practice;

@@ -1,0 +1,84 @@
+//! The judge: every law beside its paper, beside closed forms and beside experiments.
+//!
+//! Three tables of [`Row`]s. *Exact* judges have one right answer, a closed form or a published number, and must pass.
+//! *Experiments* are measurements by others with their scatter; a law that misses one stays in the table as a miss, with
+//! the reason where it is known. The third table measures the coursework model by both. What is ours in a row is always
+//! computed by the laws and the solvers that the game uses; what is expected never is.
+//!
+//! The names J1 to J17, H15, H16, E1 to E12 and C1 to C5 are this project's own numbers for them. No coefficient was
+//! fitted to an experiment by us; where the authors of a law fitted theirs to the set, the row says so.
+//!
+//! A new judge is one function that returns rows and one entry in its list; a new law that is registered in the `all()`
+//! of its class is judged by itself.
+
+mod coursework;
+mod exact;
+mod experiments;
+mod measurements;
+pub mod pictures;
+mod row;
+mod stand;
+mod table;
+
+pub use row::{CLOSED_FORM, Measure, Row};
+pub use stand::Stopped;
+
+use serde::Serialize;
+
+/// Everything the judge says.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Judgement {
+    /// Closed forms and published numbers.
+    pub exact: Vec<Row>,
+    /// Measurements by others.
+    pub experiments: Vec<Row>,
+    /// What the model of the coursework report makes of both.
+    pub coursework: Vec<Row>,
+}
+
+/// A group of rows: the name it has if it cannot be computed, and what computes it.
+type Family = (&'static str, fn() -> Result<Vec<Row>, Stopped>);
+
+/// Judges every law. Tolerances of the exact judges are multiplied by `allowance`: 1 is what they are judged by, less
+/// shows how much room is left.
+#[must_use]
+pub fn judge(allowance: f64) -> Judgement {
+    let mut exact = gather(exact::ALL);
+    for row in &mut exact {
+        *row = row.clone().within(allowance * row.tolerance);
+    }
+    Judgement {
+        exact,
+        experiments: gather(experiments::ALL),
+        coursework: gather(coursework::ALL),
+    }
+}
+
+fn gather(families: &[Family]) -> Vec<Row> {
+    let mut rows = Vec::new();
+    for (name, compute) in families {
+        match compute() {
+            Ok(more) => rows.extend(more),
+            Err(stopped) => rows.push(Row::stopped(name, stopped.to_string())),
+        }
+    }
+    rows
+}
+
+impl Judgement {
+    /// The names of the exact judges that miss.
+    #[must_use]
+    pub fn missed(&self) -> Vec<&str> {
+        self.exact
+            .iter()
+            .filter(|row| !row.pass)
+            .map(|row| row.name.as_str())
+            .collect()
+    }
+
+    /// The tables as text.
+    #[must_use]
+    pub fn text(&self) -> String {
+        table::text(self)
+    }
+}

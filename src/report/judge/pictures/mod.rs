@@ -1,0 +1,34 @@
+//! The pictures that an expert knows: our laws as curves, what was measured as black dots, the coursework model dashed.
+//! One file a picture.
+
+mod deflection;
+mod rebound;
+mod squirt;
+mod throw;
+mod travel;
+
+use crate::report::chart::{Chart, Ink};
+use crate::report::judge::Stopped;
+
+/// A file name and the chart that it holds.
+pub type Picture = (&'static str, fn() -> Result<Chart, Stopped>);
+
+/// Every picture.
+pub const ALL: &[Picture] = &[
+    ("throw.svg", throw::chart),
+    ("rebound.svg", rebound::chart),
+    ("deflection.svg", deflection::chart),
+    ("draw-and-follow.svg", travel::chart),
+    ("squirt.svg", squirt::chart),
+];
+
+/// What was measured.
+const MEASURED: Ink = Ink::dots(0);
+
+/// The coursework model.
+const COURSEWORK: Ink = Ink::dashed(1);
+
+/// The ink of the law with this place in its list: the colours that neither of the above has.
+fn law_ink(place: usize) -> Ink {
+    Ink::line(2 + place % 5)
+}
