@@ -48,9 +48,9 @@ fn every_registered_law_has_rows_in_both_tables() {
     use masse::physics::laws::{ball_ball::BallBallLaw, cushion::CushionLaw};
     let judgement = judge(1.0);
     let names = BallBallLaw::all()
-        .iter()
+        .into_iter()
         .map(|law| format!("{law:?}"))
-        .chain(CushionLaw::all().iter().map(|law| format!("{law:?}")));
+        .chain(CushionLaw::all().into_iter().map(|law| format!("{law:?}")));
     for name in names {
         let name = name.split('(').next().expect("a name");
         for table in [&judgement.exact, &judgement.experiments] {

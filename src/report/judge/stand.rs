@@ -16,9 +16,12 @@ use crate::physics::laws::cushion::{CushionContact, CushionLaw};
 use crate::physics::laws::motion::{Cloth, MotionLaw};
 use crate::physics::record::Record;
 use crate::physics::scene::{Scene, Solver};
-use crate::physics::table::Preset;
+use crate::physics::table::{Nose, Preset};
 use crate::sim::messages::Failed;
 use crate::sim::stepping;
+
+/// The nose of the papers.
+pub(super) const EDGE: Nose = Nose::Round { radius: 0.0 };
 
 /// Why a shot could not be played.
 #[derive(Clone, Debug, Error)]
@@ -167,6 +170,7 @@ impl Stand {
         let contact = CushionContact {
             normal: -cut_line(incidence),
             nose_height,
+            nose: EDGE,
             restitution: None,
         };
         law.rebound(&self.ball, state, &contact).state

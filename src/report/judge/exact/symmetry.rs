@@ -8,7 +8,7 @@ use rand_chacha::ChaCha8Rng;
 use crate::physics::ball::{Ball, State};
 use crate::physics::laws::ball_ball::PairContact;
 use crate::physics::laws::cushion::CushionContact;
-use crate::report::judge::stand::{ball_ball_laws, cushion_laws};
+use crate::report::judge::stand::{EDGE, ball_ball_laws, cushion_laws};
 use crate::report::judge::{Row, Stopped};
 
 /// Random impacts per law.
@@ -197,6 +197,7 @@ pub(super) fn cushion() -> Result<Vec<Row>, Stopped> {
                 let contact = CushionContact {
                     normal,
                     nose_height: height * ball.radius,
+                    nose: EDGE,
                     restitution: None,
                 };
                 law.rebound(&ball, &state, &contact).state
