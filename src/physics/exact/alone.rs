@@ -3,9 +3,10 @@
 
 use glam::{DVec2, DVec3};
 
-use crate::physics::ball::Motion;
+use crate::physics::ball::{Motion, State};
 use crate::physics::exact::cells::Neighbours;
 use crate::physics::exact::engine::Engine;
+use crate::physics::exact::flight::Flight;
 use crate::physics::exact::predict::Partner;
 use crate::physics::exact::walls::Area;
 use crate::physics::exact::{DEEP, SLOW, SolveError, Watch};
@@ -14,6 +15,59 @@ use crate::physics::laws::cluster::TOUCH;
 use crate::physics::record::{Event, EventKind, Participant};
 
 impl Engine {
+    /// Lets two balls that glide without spin collide, as [`Self::collide_alone`] does. What each of them meets next is
+    /// found first; whether they touch anything else comes out on the way.
+    pub(super) fn collide_gliding(
+        &mut self,
+        ball: usize,
+        other: usize,
+        watch: &mut impl Watch,
+    ) -> Result<bool, SolveError> {
+        let old = [self.flights[ball], self.flights[other]];
+        if !(old[0].plain && old[1].plain) {
+            return Ok(false);
+        }
+        let now = self.clock;
+        let before = old.map(|flight| flight.state(now));
+        let Some((after, impulse)) = self.rebound(ball, other, &before) else {
+            return Ok(false);
+        };
+        let gliding = |place: usize| {
+            let Flight { radius, count, .. } = old[place];
+            Flight::gliding(radius, &after[place], now, count.wrapping_add(1))
+        };
+        let (Some(one), Some(two)) = (gliding(0), gliding(1)) else {
+            return Ok(false);
+        };
+        let is_open = |state: &State| {
+            let point = DVec2::new(state.position.x, state.position.z);
+            self.walls.is_open(&Area {
+                least: point,
+                most: point,
+            })
+        };
+        if !(before.iter().all(is_open) && after.iter().all(State::is_finite)) {
+            return Ok(false);
+        }
+        self.flights[ball] = one;
+        self.flights[other] = two;
+        let first = self.search_but(ball, None, other as u32);
+        let second = self.search_but(other, None, ball as u32);
+        let (Ok((first, false)), Ok((second, false))) = (first, second) else {
+            self.flights[ball] = old[0];
+            self.flights[other] = old[1];
+            return Ok(false);
+        };
+        self.next[ball] = first;
+        self.next[other] = second;
+        self.queue.set(ball, first.time);
+        self.queue.set(other, second.time);
+        watch.piece(ball, &one.path());
+        watch.piece(other, &two.path());
+        self.report_pair([ball, other], before, after, impulse, watch);
+        Ok(true)
+    }
+
     /// Lets two balls collide, if they touch nothing else, meet fast and part fast; otherwise nothing is done and the
     /// answer is false.
     pub(super) fn collide_alone(
@@ -22,8 +76,29 @@ impl Engine {
         other: usize,
         watch: &mut impl Watch,
     ) -> Result<bool, SolveError> {
-        let (one, two) = (self.state(ball), self.state(other));
-        let (body_one, body_two) = (self.bodies[ball], self.bodies[other]);
+        let before = [self.state(ball), self.state(other)];
+        let Some((after, impulse)) = self.rebound(ball, other, &before) else {
+            return Ok(false);
+        };
+        let (mut near_one, mut near_two) = (Neighbours::none(), Neighbours::none());
+        if !self.is_alone(ball, before[0].position, other, &mut near_one)
+            || !self.is_alone(other, before[1].position, ball, &mut near_two)
+        {
+            return Ok(false);
+        }
+        self.set(ball, after[0], watch)?;
+        self.set(other, after[1], watch)?;
+        self.report_pair([ball, other], before, after, impulse, watch);
+        let known = self.cells.is_some();
+        self.predict_among(ball, known.then_some(&near_one))?;
+        self.predict_among(other, known.then_some(&near_two))?;
+        Ok(true)
+    }
+
+    /// The states of two balls after an impact that is no lasting contact, and its impulse.
+    fn rebound(&self, ball: usize, other: usize, before: &[State; 2]) -> Option<([State; 2], f64)> {
+        let [one, two] = before;
+        let (body_one, body_two) = (&self.bodies[ball], &self.bodies[other]);
         let offset = two.position - one.position;
         let overlap = body_one.radius + body_two.radius - offset.length();
         let flat = DVec3::new(offset.x, 0.0, offset.z);
@@ -34,49 +109,46 @@ impl Engine {
             || one.motion == Motion::Airborne
             || two.motion == Motion::Airborne
         {
-            return Ok(false);
-        }
-        let (mut near_one, mut near_two) = (Neighbours::none(), Neighbours::none());
-        if !self.is_alone(ball, one.position, other, &mut near_one)
-            || !self.is_alone(other, two.position, ball, &mut near_two)
-        {
-            return Ok(false);
+            return None;
         }
         let geometry = PairContact {
             normal,
             on_slate: true,
             restitution: None,
         };
-        let laws = self.laws;
-        let outcome = laws
+        let outcome = self
+            .laws
             .ball_ball
-            .collide((&body_one, &one), (&body_two, &two), &geometry);
-        let first = laws.motion.classify(&body_one, outcome.first);
-        let second = laws.motion.classify(&body_two, outcome.second);
+            .collide((body_one, one), (body_two, two), &geometry);
+        let first = self.laws.motion.classify(body_one, outcome.first);
+        let second = self.laws.motion.classify(body_two, outcome.second);
         let parting = (second.velocity - first.velocity).dot(normal);
-        if !(parting >= SLOW && outcome.impulse > 0.0) {
-            return Ok(false);
-        }
-        self.set(ball, first, watch)?;
-        self.set(other, second, watch)?;
-        self.touched[ball].add(Partner::Ball(other as u32), self.clock);
-        self.touched[other].add(Partner::Ball(ball as u32), self.clock);
-        let participant = |ball, before, after| Participant {
-            ball,
-            before,
-            after,
+        (parting >= SLOW && outcome.impulse > 0.0).then_some(([first, second], outcome.impulse))
+    }
+
+    fn report_pair(
+        &mut self,
+        balls: [usize; 2],
+        before: [State; 2],
+        after: [State; 2],
+        impulse: f64,
+        watch: &mut impl Watch,
+    ) {
+        let [one, two] = balls;
+        self.touched[one].add(Partner::Ball(two as u32), self.clock);
+        self.touched[two].add(Partner::Ball(one as u32), self.clock);
+        let participant = |place: usize| Participant {
+            ball: balls[place],
+            before: before[place],
+            after: after[place],
         };
         watch.event(&Event {
             time: self.clock,
             kind: EventKind::BallBall,
-            first: participant(ball, one, first),
-            second: Some(participant(other, two, second)),
-            impulse: outcome.impulse,
+            first: participant(0),
+            second: Some(participant(1)),
+            impulse,
         });
-        let known = self.cells.is_some();
-        self.predict_among(ball, known.then_some(&near_one))?;
-        self.predict_among(other, known.then_some(&near_two))?;
-        Ok(true)
     }
 
     /// Whether a ball touches nothing but its partner. Where balls are found by cells, the list is filled with those
@@ -104,7 +176,7 @@ impl Engine {
         for &other in list {
             let flight = &self.flights[other as usize];
             let reach = radius + flight.radius + TOUCH;
-            let offset = flight.place(self.clock) - place;
+            let offset = self.center(other as usize) - place;
             touches |= (offset.length_squared() <= reach * reach)
                 & flight.in_play
                 & (other != ball as u32)

@@ -9,6 +9,7 @@ use std::ops::{Deref, Range};
 use glam::DVec2;
 
 use crate::physics::contact::Track;
+use crate::physics::exact::flight::Glide;
 use crate::physics::exact::walls::{Area, Walls};
 use crate::physics::roots::{RootError, quadratic};
 use crate::physics::table::Table;
@@ -268,6 +269,29 @@ impl Cells {
         &self.walls[self.wall_starts[cell] as usize..self.wall_starts[cell + 1] as usize]
     }
 
+    /// When a ball on a straight path leaves its cell, and the cell that it enters.
+    #[inline]
+    pub(super) fn leaves_straight(&self, ball: u32, glide: &Glide) -> Option<(f64, u32)> {
+        let cell = self.cell_of[ball as usize];
+        let (column, row) = self.place(cell);
+        let side = |(place, speed): (f64, f64), index: u32, count, origin: f64, size: f64, pitch| {
+            let near = origin + f64::from(index) * size;
+            let (way, to) = if speed > 0.0 && index + 1 < count {
+                (near + size - place, cell + pitch)
+            } else if speed < 0.0 && index > 0 {
+                (place - near, cell - pitch)
+            } else {
+                return (f64::INFINITY, cell);
+            };
+            ((way / speed.abs()).max(0.0), to)
+        };
+        let (origin, size) = (self.origin, self.size);
+        let along = side(glide.along(), column, self.columns, origin.x, size.x, 1);
+        let across = side(glide.across(), row, self.rows, origin.y, size.y, self.stride);
+        let first = if across.0 < along.0 { across } else { along };
+        (first.0 < f64::INFINITY).then_some(first)
+    }
+
     /// When a ball leaves its cell, and the cell that it enters.
     pub(super) fn leaves(
         &self,
@@ -282,9 +306,6 @@ impl Cells {
         let mut horizon = horizon;
         let mut side = |c: [f64; 3], to: u32| -> Result<(), RootError> {
             if c[1] >= 0.0 && c[2] >= 0.0 {
-                return Ok(());
-            }
-            if c[2] == 0.0 && c[0] + horizon * c[1] > 1e-9 * c[0] && c[0] > 0.0 {
                 return Ok(());
             }
             if let Some(time) = quadratic::first_closing(c, 0.0, horizon)?

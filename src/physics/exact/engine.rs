@@ -1,6 +1,9 @@
 //! The table in motion.
 
+use glam::DVec3;
+
 use crate::physics::ball::{Ball, Motion, State};
+use crate::physics::contact::Track;
 use crate::physics::cue::{Cue, Shot};
 use crate::physics::exact::cells::Cells;
 use crate::physics::exact::flight::Flight;
@@ -10,6 +13,7 @@ use crate::physics::exact::touched::Touched;
 use crate::physics::exact::walls::Walls;
 use crate::physics::exact::{CONTACT_TIME, Contact, Limits, SolveError, Watch};
 use crate::physics::laws::Laws;
+use crate::physics::laws::motion::MotionLaw;
 use crate::physics::laws::cluster::Cluster;
 use crate::physics::record::{Event, EventKind, Participant, PathPiece};
 use crate::physics::scene::strike_with;
@@ -26,10 +30,10 @@ pub struct Engine {
     pub(super) laws: Laws,
     pub(super) names: Vec<String>,
     pub(super) bodies: Vec<Ball>,
+    /// The present paths, of those only that are not plain.
     pub(super) paths: Vec<PathPiece>,
     pub(super) flights: Vec<Flight>,
     pub(super) next: Vec<Next>,
-    pub(super) counts: Vec<u32>,
     pub(super) touched: Vec<Touched>,
     pub(super) widest: f64,
     pub(super) walls: Walls,
@@ -90,23 +94,56 @@ impl Engine {
 
     /// The piece of path that a ball follows now.
     #[must_use]
-    pub fn path(&self, ball: usize) -> &PathPiece {
-        &self.paths[ball]
+    pub fn path(&self, ball: usize) -> PathPiece {
+        let flight = &self.flights[ball];
+        if flight.plain {
+            flight.path()
+        } else {
+            self.paths[ball]
+        }
     }
 
     /// The state of a ball now.
     #[must_use]
     pub fn state(&self, ball: usize) -> State {
+        let flight = &self.flights[ball];
+        if flight.plain {
+            return flight.state(self.clock);
+        }
         let path = &self.paths[ball];
         path.piece.at(self.clock - path.time)
+    }
+
+    /// Where a ball is now.
+    #[inline]
+    pub(super) fn center(&self, ball: usize) -> DVec3 {
+        let flight = &self.flights[ball];
+        if flight.level {
+            return flight.place(self.clock);
+        }
+        let path = &self.paths[ball];
+        path.piece.position(self.clock - path.time)
+    }
+
+    /// The path of a ball seen from now.
+    #[inline]
+    pub(super) fn seen(&self, ball: usize) -> Track {
+        let flight = &self.flights[ball];
+        if flight.level {
+            return flight.glide(self.clock).track();
+        }
+        let path = &self.paths[ball];
+        Track::of(&path.piece, self.clock - path.time)
     }
 
     /// Whether no ball moves or spins.
     #[must_use]
     pub fn is_at_rest(&self) -> bool {
-        self.paths
-            .iter()
-            .all(|path| matches!(path.piece.start.motion, Motion::Rest | Motion::Pocketed))
+        let rests = |path: &PathPiece| {
+            matches!(path.piece.start.motion, Motion::Rest | Motion::Pocketed)
+        };
+        let mut balls = self.flights.iter().zip(&self.paths);
+        balls.all(|(flight, path)| !flight.plain && rests(path))
     }
 
     /// Whether a ball leans on something: it has touched the same thing within the last two contact times and is slow.
@@ -212,19 +249,21 @@ impl Engine {
             return Err(self.not_finite(ball, state));
         }
         let body = &self.bodies[ball];
+        let count = self.flights[ball].count.wrapping_add(1);
+        let gliding = (self.laws.motion == MotionLaw::Frictionless)
+            .then(|| Flight::gliding(body.radius, &state, self.clock, count));
+        if let Some(flight) = gliding.flatten() {
+            self.flights[ball] = flight;
+            watch.piece(ball, &flight.path());
+            return Ok(());
+        }
         let path = PathPiece {
             time: self.clock,
             piece: self.laws.motion.piece(body, &state),
         };
         self.paths[ball] = path;
-        self.flights[ball] = Flight::new(body, &path);
-        self.counts[ball] = self.counts[ball].wrapping_add(1);
+        self.flights[ball] = Flight::new(body, &path, count);
         watch.piece(ball, &path);
         Ok(())
-    }
-
-    /// Rebuilds the packed copy of a path.
-    pub(super) fn pack(&mut self, ball: usize) {
-        self.flights[ball] = Flight::new(&self.bodies[ball], &self.paths[ball]);
     }
 }

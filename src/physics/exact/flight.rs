@@ -2,12 +2,14 @@
 
 use glam::DVec3;
 
-use crate::physics::ball::Ball;
+use crate::physics::ball::{Ball, Motion, State};
 use crate::physics::contact::Track;
+use crate::physics::laws::cluster::TOUCH;
+use crate::physics::laws::motion::Piece;
 use crate::physics::record::PathPiece;
 
-/// What the search for contacts needs of a ball, packed. All that it takes to rule out two balls on straight level paths
-/// is in the first of its two cache lines.
+/// What the search for contacts needs of a ball, in one cache line: the whole of a straight level path, and of any other
+/// how it may be met.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
 pub(super) struct Flight {
@@ -20,13 +22,14 @@ pub(super) struct Flight {
     pub(super) since: f64,
     pub(super) until: f64,
     pub(super) radius: f64,
+    /// How many paths the ball has had.
+    pub(super) count: u32,
     /// Without acceleration, on the slate: its height is its radius.
     pub(super) level: bool,
+    /// It glides without spin for ever: there is no more to its path than is here.
+    pub(super) plain: bool,
     pub(super) moves: bool,
     pub(super) in_play: bool,
-    height: f64,
-    climb: f64,
-    acceleration: DVec3,
 }
 
 /// A straight level path seen from now.
@@ -40,11 +43,13 @@ pub(super) struct Glide {
 }
 
 impl Flight {
-    pub(super) fn new(body: &Ball, path: &PathPiece) -> Self {
+    /// Of the path number `count`.
+    pub(super) fn new(body: &Ball, path: &PathPiece, count: u32) -> Self {
         let start = &path.piece.start;
         let level = path.piece.acceleration == DVec3::ZERO
             && start.position.y == body.radius
-            && start.velocity.y == 0.0;
+            && start.velocity.y == 0.0
+            && start.motion.in_play();
         Self {
             x: start.position.x,
             z: start.position.z,
@@ -53,63 +58,69 @@ impl Flight {
             since: path.time,
             until: path.time + path.piece.duration,
             radius: body.radius,
-            level: level && start.motion.in_play(),
+            count,
+            level,
+            plain: level
+                && start.motion == Motion::Gliding
+                && path.piece == Piece::uniform(*start)
+                && start.angular_velocity == DVec3::ZERO,
             moves: start.motion.translates(),
             in_play: start.motion.in_play(),
-            height: start.position.y,
-            climb: start.velocity.y,
-            acceleration: path.piece.acceleration,
         }
     }
 
-    fn track(&self) -> Track {
-        Track {
-            position: DVec3::new(self.x, self.height, self.z),
-            velocity: DVec3::new(self.x_speed, self.climb, self.z_speed),
-            acceleration: self.acceleration,
+    /// The path that starts with this state now, if there is no more to it than is kept here. The ball glides, on a table
+    /// without cloth.
+    #[inline]
+    pub(super) fn gliding(radius: f64, state: &State, now: f64, count: u32) -> Option<Self> {
+        let plain = state.motion == Motion::Gliding
+            && state.position.y == radius
+            && state.velocity.y == 0.0
+            && state.angular_velocity == DVec3::ZERO;
+        plain.then_some(Self {
+            x: state.position.x,
+            z: state.position.z,
+            x_speed: state.velocity.x,
+            z_speed: state.velocity.z,
+            since: now,
+            until: f64::INFINITY,
+            radius,
+            count,
+            level: true,
+            plain: true,
+            moves: true,
+            in_play: true,
+        })
+    }
+
+    /// The path of a ball that glides without spin.
+    #[inline]
+    pub(super) fn path(&self) -> PathPiece {
+        PathPiece {
+            time: self.since,
+            piece: Piece::uniform(self.state(self.since)),
         }
     }
 
-    /// Where it is now.
+    /// The state of a ball that glides without spin.
+    #[inline]
+    pub(super) fn state(&self, now: f64) -> State {
+        State {
+            position: self.place(now),
+            velocity: DVec3::new(self.x_speed, 0.0, self.z_speed),
+            angular_velocity: DVec3::ZERO,
+            motion: Motion::Gliding,
+        }
+    }
+
+    /// Where a ball on a level path is now.
     #[inline]
     pub(super) fn place(&self, now: f64) -> DVec3 {
-        let age = now - self.since;
-        if self.level {
-            return DVec3::new(
-                self.x + age * self.x_speed,
-                self.radius,
-                self.z + age * self.z_speed,
-            );
-        }
-        let Track {
-            position,
-            velocity,
-            acceleration,
-        } = self.track();
-        position + age * (velocity + (0.5 * age) * acceleration)
+        let glide = self.glide(now);
+        DVec3::new(glide.x, self.radius, glide.z)
     }
 
-    /// The path seen from now: the same numbers as [`Track::of`] the piece.
-    #[inline]
-    pub(super) fn seen(&self, now: f64) -> Track {
-        let track = self.track();
-        if !self.moves {
-            return track;
-        }
-        let age = now - self.since;
-        let Track {
-            position,
-            velocity,
-            acceleration,
-        } = track;
-        Track {
-            position: position + age * (velocity + (0.5 * age) * acceleration),
-            velocity: velocity + age * acceleration,
-            acceleration,
-        }
-    }
-
-    /// The same of a level path.
+    /// A level path seen from now: the same numbers as [`Track::of`] its piece.
     #[inline]
     pub(super) fn glide(&self, now: f64) -> Glide {
         let age = now - self.since;
@@ -124,6 +135,24 @@ impl Flight {
 }
 
 impl Glide {
+    pub(super) fn track(&self) -> Track {
+        Track {
+            position: DVec3::new(self.x, self.radius, self.z),
+            velocity: DVec3::new(self.x_speed, 0.0, self.z_speed),
+            acceleration: DVec3::ZERO,
+        }
+    }
+
+    /// Along x: place and speed.
+    pub(super) fn along(&self) -> (f64, f64) {
+        (self.x, self.x_speed)
+    }
+
+    /// Along z: place and speed.
+    pub(super) fn across(&self) -> (f64, f64) {
+        (self.z, self.z_speed)
+    }
+
     /// The distance of two as a polynomial in time: the square of the gap, constant first. The same numbers as
     /// [`contact::pair`](crate::physics::contact::pair) finds.
     #[inline]
@@ -140,5 +169,11 @@ impl Glide {
             2.0 * (x * x_speed + z * z_speed),
             x_speed * x_speed + z_speed * z_speed,
         ]
+    }
+
+    /// The gap of [`Self::gap`] at which two with this sum of radii still touch.
+    #[inline]
+    pub(super) fn touch(&self, other: &Self) -> f64 {
+        TOUCH * (2.0 * (self.radius + other.radius) + TOUCH)
     }
 }

@@ -98,7 +98,7 @@ impl Engine {
                 let mut look = |other: usize| {
                     let flight = &self.flights[other];
                     let reach = body.radius + flight.radius + TOUCH;
-                    let offset = flight.place(self.clock) - state.position;
+                    let offset = self.center(other) - state.position;
                     if offset.length_squared() <= reach * reach && flight.in_play && other != ball {
                         near.push(other);
                     }

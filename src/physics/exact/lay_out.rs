@@ -73,7 +73,6 @@ impl Engine {
             paths: Vec::with_capacity(count),
             flights: Vec::with_capacity(count),
             next: vec![Next::NEVER; count],
-            counts: vec![0; count],
             touched: vec![Touched::NOTHING; count],
             widest: radius,
             walls,
@@ -101,7 +100,6 @@ impl Engine {
         }
         self.laws = scene.laws;
         self.touched.fill(Touched::NOTHING);
-        self.counts.fill(0);
         self.clock = 0.0;
         self.last = 0.0;
         self.happened = 0;
@@ -117,7 +115,7 @@ impl Engine {
                 piece: scene.laws.motion.piece(&ball.ball, &state),
             };
             self.paths.push(path);
-            self.flights.push(Flight::new(&ball.ball, &path));
+            self.flights.push(Flight::new(&ball.ball, &path, 0));
             if let Some(cells) = self.cells.as_mut().filter(|_| state.motion.in_play()) {
                 let cell = cells.at(glam::DVec2::new(state.position.x, state.position.z));
                 cells.insert(index as u32, cell);

@@ -44,6 +44,10 @@ impl Next {
 struct Search {
     wait: f64,
     partner: Partner,
+    /// A ball that may touch.
+    but: u32,
+    /// Whether any other may touch; told for straight level paths only, of others the answer is true.
+    touches: bool,
 }
 
 impl Search {
@@ -85,25 +89,41 @@ impl Engine {
     }
 
     fn search(&self, ball: usize, among: Option<&Neighbours>) -> Result<Next, RootError> {
+        Ok(self.search_but(ball, among, u32::MAX)?.0)
+    }
+
+    /// The next event of a ball, and whether it may touch any but this one now.
+    pub(super) fn search_but(
+        &self,
+        ball: usize,
+        among: Option<&Neighbours>,
+        but: u32,
+    ) -> Result<(Next, bool), RootError> {
         let now = self.clock;
         let flight = &self.flights[ball];
         if !flight.in_play {
-            return Ok(Next::NEVER);
+            return Ok((Next::NEVER, true));
         }
         let mut search = Search {
             wait: flight.until - now,
             partner: Partner::Motion,
+            but,
+            touches: false,
         };
-        let track = flight.seen(now);
+        let glide = flight.level.then(|| flight.glide(now));
+        let track = self.seen(ball);
         if flight.moves {
-            if let Some(cells) = &self.cells
-                && let Some((wait, cell)) = cells.leaves(ball as u32, &track, search.wait)?
-            {
-                search.offer(Some(wait), Partner::Cell(cell));
+            if let Some(cells) = &self.cells {
+                let left = match &glide {
+                    Some(glide) => cells.leaves_straight(ball as u32, glide),
+                    None => cells.leaves(ball as u32, &track, search.wait)?,
+                };
+                if let Some((wait, cell)) = left {
+                    search.offer(Some(wait), Partner::Cell(cell));
+                }
             }
             self.search_walls(ball, &track, &mut search)?;
         }
-        let glide = flight.level.then(|| flight.glide(now));
         let mut pairs =
             |list: &[u32]| self.search_pairs(ball, &track, glide.as_ref(), list, &mut search);
         match (among, &self.cells) {
@@ -116,7 +136,7 @@ impl Engine {
             (None, None) => pairs(&self.everyone)?,
         }
         if search.wait == f64::INFINITY {
-            return Ok(Next::NEVER);
+            return Ok((Next::NEVER, search.touches));
         }
         // A change of motion comes exactly when its piece ends.
         let time = match search.partner {
@@ -124,14 +144,15 @@ impl Engine {
             _ => now + search.wait,
         };
         let count = match search.partner {
-            Partner::Ball(other) => self.counts[other as usize],
+            Partner::Ball(other) => self.flights[other as usize].count,
             _ => 0,
         };
-        Ok(Next {
+        let next = Next {
             time,
             partner: search.partner,
             count,
-        })
+        };
+        Ok((next, search.touches))
     }
 
     /// Looks for contacts with these balls, the ball itself perhaps among them.
@@ -152,11 +173,18 @@ impl Engine {
         for list in list.chunks(u32::BITS as usize) {
             // Which of them are not ruled out by a few products: one or two of ten, so no branch tells.
             let mut left = 0_u32;
+            let mut touches = false;
             for (place, &other) in list.iter().enumerate() {
                 let flight = &self.flights[other as usize];
-                let open = quadratic::stays_open(glide.gap(&flight.glide(now)), search.wait);
+                let there = flight.glide(now);
+                let gap = glide.gap(&there);
+                let open = quadratic::stays_open(gap, search.wait);
                 left |= u32::from(!(open & flight.level)) << place;
+                touches |= ((gap[0] <= glide.touch(&there)) | !flight.level)
+                    & (other != search.but)
+                    & (other != ball as u32);
             }
+            search.touches |= touches;
             while left != 0 {
                 let other = list[left.trailing_zeros() as usize];
                 left &= left - 1;
@@ -190,7 +218,7 @@ impl Engine {
         }
         let now = self.clock;
         let horizon = search.wait.min(two.until - now);
-        let wait = contact::pair(track, &two.seen(now), one.radius + two.radius, horizon)?;
+        let wait = contact::pair(track, &self.seen(other), one.radius + two.radius, horizon)?;
         search.offer(wait, Partner::Ball(other as u32));
         Ok(())
     }
@@ -264,7 +292,7 @@ impl Engine {
                 self.predict(ball)
             }
             // The other ball has changed its path since: look again.
-            Partner::Ball(other) if self.counts[other as usize] != next.count => self.predict(ball),
+            Partner::Ball(other) if self.flights[other as usize].count != next.count => self.predict(ball),
             Partner::Ball(_) | Partner::Cushion(_) => {
                 self.count_event(ball)?;
                 self.collide(ball, next.partner, watch)

@@ -16,9 +16,14 @@ struct Match([f64; WIDE]);
 impl Match {
     const EMPTY: Self = Self([f64::INFINITY; WIDE]);
 
+    /// The least time if this place had that one. Read before it is written: a fresh number is slow to read back as a part
+    /// of a wide one.
     #[inline]
-    fn least(&self) -> f64 {
-        let t = &self.0;
+    fn least_with(&self, place: usize, time: f64) -> f64 {
+        let mut t = self.0;
+        for (index, old) in t.iter_mut().enumerate() {
+            *old = if index == place { time } else { *old };
+        }
         let less = |a: f64, b: f64| if a < b { a } else { b };
         less(
             less(less(t[0], t[2]), less(t[4], t[6])),
@@ -83,9 +88,9 @@ impl Queue {
         for round in &mut self.rounds {
             let game = &mut round[place / WIDE];
             let old = game.0[place % WIDE];
+            let least = game.least_with(place % WIDE, time);
             game.0[place % WIDE] = time;
-            // Who comes in later than it was, and was not first, changes nothing above; nor does who stays behind.
-            let least = game.least();
+            // Who was not first and is not first changes nothing above.
             if old == time || (old > least && time > least) {
                 return;
             }

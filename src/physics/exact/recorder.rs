@@ -36,7 +36,7 @@ impl Recorder {
         record.paths.resize(engine.count(), Vec::new());
         for (ball, path) in record.paths.iter_mut().enumerate() {
             path.clear();
-            path.push(*engine.path(ball));
+            path.push(engine.path(ball));
         }
     }
 

@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::physics::ball::State;
+use crate::physics::exact::flight::Flight;
 use crate::physics::exact::predict::{Next, Partner};
 use crate::physics::exact::touched::Touched;
 use crate::physics::exact::{Engine, Limits, SolveError};
@@ -40,14 +41,15 @@ impl Engine {
             .map(|ball| {
                 let next = self.next[ball];
                 let touched = self.touched[ball];
+                let path = self.path(ball);
                 SavedBall {
-                    since: self.paths[ball].time,
-                    start: self.paths[ball].piece.start,
+                    since: path.time,
+                    start: path.piece.start,
                     next: next
                         .time
                         .is_finite()
                         .then_some((next.time, next.partner, next.count)),
-                    count: self.counts[ball],
+                    count: self.flights[ball].count,
                     cell: self.cells.as_ref().map(|cells| cells.cell_of[ball]),
                     touched: touched
                         .what
@@ -85,12 +87,12 @@ impl Engine {
             if !ball.start.is_finite() {
                 return Err(engine.not_finite(index, ball.start));
             }
-            engine.paths[index] = PathPiece {
+            let path = PathPiece {
                 time: ball.since,
                 piece: engine.laws.motion.piece(&engine.bodies[index], &ball.start),
             };
-            engine.pack(index);
-            engine.counts[index] = ball.count;
+            engine.paths[index] = path;
+            engine.flights[index] = Flight::new(&engine.bodies[index], &path, ball.count);
             if let Some((time, partner, count)) = ball.next {
                 engine.next[index] = Next {
                     time,
