@@ -6,7 +6,6 @@ use glam::{DVec2, DVec3};
 use crate::physics::ball::{Motion, State};
 use crate::physics::exact::cells::Neighbours;
 use crate::physics::exact::engine::Engine;
-use crate::physics::exact::flight::Flight;
 use crate::physics::exact::predict::Partner;
 use crate::physics::exact::walls::Area;
 use crate::physics::exact::{DEEP, SLOW, SolveError, Watch};
@@ -16,7 +15,8 @@ use crate::physics::record::{Event, EventKind, Participant};
 
 impl Engine {
     /// Lets two balls that glide without spin collide, as [`Self::collide_alone`] does. What each of them meets next is
-    /// found first; whether they touch anything else comes out on the way.
+    /// found first; whether they touch anything else comes out on the way. Such an impact is not remembered: they part fast,
+    /// and if others send them back slowly within a contact time it counts as a first touch.
     pub(super) fn collide_gliding(
         &mut self,
         ball: usize,
@@ -32,10 +32,7 @@ impl Engine {
         let Some((after, impulse)) = self.rebound(ball, other, &before) else {
             return Ok(false);
         };
-        let gliding = |place: usize| {
-            let Flight { radius, count, .. } = old[place];
-            Flight::gliding(radius, &after[place], now, count.wrapping_add(1))
-        };
+        let gliding = |place: usize| old[place].gliding(&after[place], now);
         let (Some(one), Some(two)) = (gliding(0), gliding(1)) else {
             return Ok(false);
         };
@@ -58,13 +55,13 @@ impl Engine {
             self.flights[other] = old[1];
             return Ok(false);
         };
-        self.next[ball] = first;
-        self.next[other] = second;
+        self.flights[ball].next = first;
+        self.flights[other].next = second;
         self.queue.set(ball, first.time);
         self.queue.set(other, second.time);
         watch.piece(ball, &one.path());
         watch.piece(other, &two.path());
-        self.report_pair([ball, other], before, after, impulse, watch);
+        report([ball, other], before, after, impulse, now, watch);
         Ok(true)
     }
 
@@ -88,7 +85,9 @@ impl Engine {
         }
         self.set(ball, after[0], watch)?;
         self.set(other, after[1], watch)?;
-        self.report_pair([ball, other], before, after, impulse, watch);
+        self.touched[ball].add(Partner::Ball(other as u32), self.clock);
+        self.touched[other].add(Partner::Ball(ball as u32), self.clock);
+        report([ball, other], before, after, impulse, self.clock, watch);
         let known = self.cells.is_some();
         self.predict_among(ball, known.then_some(&near_one))?;
         self.predict_among(other, known.then_some(&near_two))?;
@@ -98,7 +97,7 @@ impl Engine {
     /// The states of two balls after an impact that is no lasting contact, and its impulse.
     fn rebound(&self, ball: usize, other: usize, before: &[State; 2]) -> Option<([State; 2], f64)> {
         let [one, two] = before;
-        let (body_one, body_two) = (&self.bodies[ball], &self.bodies[other]);
+        let (body_one, body_two) = (&self.flights[ball].body, &self.flights[other].body);
         let offset = two.position - one.position;
         let overlap = body_one.radius + body_two.radius - offset.length();
         let flat = DVec3::new(offset.x, 0.0, offset.z);
@@ -124,31 +123,6 @@ impl Engine {
         let second = self.laws.motion.classify(body_two, outcome.second);
         let parting = (second.velocity - first.velocity).dot(normal);
         (parting >= SLOW && outcome.impulse > 0.0).then_some(([first, second], outcome.impulse))
-    }
-
-    fn report_pair(
-        &mut self,
-        balls: [usize; 2],
-        before: [State; 2],
-        after: [State; 2],
-        impulse: f64,
-        watch: &mut impl Watch,
-    ) {
-        let [one, two] = balls;
-        self.touched[one].add(Partner::Ball(two as u32), self.clock);
-        self.touched[two].add(Partner::Ball(one as u32), self.clock);
-        let participant = |place: usize| Participant {
-            ball: balls[place],
-            before: before[place],
-            after: after[place],
-        };
-        watch.event(&Event {
-            time: self.clock,
-            kind: EventKind::BallBall,
-            first: participant(0),
-            second: Some(participant(1)),
-            impulse,
-        });
     }
 
     /// Whether a ball touches nothing but its partner. Where balls are found by cells, the list is filled with those
@@ -184,4 +158,26 @@ impl Engine {
         }
         !touches
     }
+}
+
+fn report(
+    balls: [usize; 2],
+    before: [State; 2],
+    after: [State; 2],
+    impulse: f64,
+    time: f64,
+    watch: &mut impl Watch,
+) {
+    let participant = |place: usize| Participant {
+        ball: balls[place],
+        before: before[place],
+        after: after[place],
+    };
+    watch.event(&Event {
+        time,
+        kind: EventKind::BallBall,
+        first: participant(0),
+        second: Some(participant(1)),
+        impulse,
+    });
 }

@@ -274,20 +274,28 @@ impl Cells {
     pub(super) fn leaves_straight(&self, ball: u32, glide: &Glide) -> Option<(f64, u32)> {
         let cell = self.cell_of[ball as usize];
         let (column, row) = self.place(cell);
-        let side = |(place, speed): (f64, f64), index: u32, count, origin: f64, size: f64, pitch| {
-            let near = origin + f64::from(index) * size;
-            let (way, to) = if speed > 0.0 && index + 1 < count {
-                (near + size - place, cell + pitch)
-            } else if speed < 0.0 && index > 0 {
-                (place - near, cell - pitch)
-            } else {
-                return (f64::INFINITY, cell);
+        let side =
+            |(place, speed): (f64, f64), index: u32, count, origin: f64, size: f64, pitch| {
+                let near = origin + f64::from(index) * size;
+                let (way, to) = if speed > 0.0 && index + 1 < count {
+                    (near + size - place, cell + pitch)
+                } else if speed < 0.0 && index > 0 {
+                    (place - near, cell - pitch)
+                } else {
+                    return (f64::INFINITY, cell);
+                };
+                ((way / speed.abs()).max(0.0), to)
             };
-            ((way / speed.abs()).max(0.0), to)
-        };
         let (origin, size) = (self.origin, self.size);
         let along = side(glide.along(), column, self.columns, origin.x, size.x, 1);
-        let across = side(glide.across(), row, self.rows, origin.y, size.y, self.stride);
+        let across = side(
+            glide.across(),
+            row,
+            self.rows,
+            origin.y,
+            size.y,
+            self.stride,
+        );
         let first = if across.0 < along.0 { across } else { along };
         (first.0 < f64::INFINITY).then_some(first)
     }

@@ -7,14 +7,14 @@ use crate::physics::contact::Track;
 use crate::physics::cue::{Cue, Shot};
 use crate::physics::exact::cells::Cells;
 use crate::physics::exact::flight::Flight;
-use crate::physics::exact::predict::{Next, Partner};
+use crate::physics::exact::predict::Partner;
 use crate::physics::exact::queue::Queue;
 use crate::physics::exact::touched::Touched;
 use crate::physics::exact::walls::Walls;
 use crate::physics::exact::{CONTACT_TIME, Contact, Limits, SolveError, Watch};
 use crate::physics::laws::Laws;
-use crate::physics::laws::motion::MotionLaw;
 use crate::physics::laws::cluster::Cluster;
+use crate::physics::laws::motion::MotionLaw;
 use crate::physics::record::{Event, EventKind, Participant, PathPiece};
 use crate::physics::scene::strike_with;
 use crate::physics::table::Table;
@@ -33,7 +33,6 @@ pub struct Engine {
     /// The present paths, of those only that are not plain.
     pub(super) paths: Vec<PathPiece>,
     pub(super) flights: Vec<Flight>,
-    pub(super) next: Vec<Next>,
     pub(super) touched: Vec<Touched>,
     pub(super) widest: f64,
     pub(super) walls: Walls,
@@ -139,9 +138,8 @@ impl Engine {
     /// Whether no ball moves or spins.
     #[must_use]
     pub fn is_at_rest(&self) -> bool {
-        let rests = |path: &PathPiece| {
-            matches!(path.piece.start.motion, Motion::Rest | Motion::Pocketed)
-        };
+        let rests =
+            |path: &PathPiece| matches!(path.piece.start.motion, Motion::Rest | Motion::Pocketed);
         let mut balls = self.flights.iter().zip(&self.paths);
         balls.all(|(flight, path)| !flight.plain && rests(path))
     }
@@ -150,10 +148,10 @@ impl Engine {
     #[must_use]
     pub fn contact(&self, ball: usize) -> Contact {
         let touched = &self.touched[ball];
-        let lasting =
-            touched.time[0] >= self.clock - 2.0 * CONTACT_TIME && self.next[ball].time.is_finite();
-        let again = self.next[ball].partner == touched.what[0]
-            && self.next[ball].time - touched.time[0] <= 2.0 * CONTACT_TIME;
+        let lasting = touched.time[0] >= self.clock - 2.0 * CONTACT_TIME
+            && self.flights[ball].next.time.is_finite();
+        let again = self.flights[ball].next.partner == touched.what[0]
+            && self.flights[ball].next.time - touched.time[0] <= 2.0 * CONTACT_TIME;
         match touched.what[0] {
             Partner::Ball(other) if lasting && again => Contact::Resting { on: other as usize },
             Partner::Cushion(cushion) if lasting && again => Contact::RestingOnCushion {
@@ -249,14 +247,15 @@ impl Engine {
             return Err(self.not_finite(ball, state));
         }
         let body = &self.bodies[ball];
-        let count = self.flights[ball].count.wrapping_add(1);
-        let gliding = (self.laws.motion == MotionLaw::Frictionless)
-            .then(|| Flight::gliding(body.radius, &state, self.clock, count));
+        let old = &self.flights[ball];
+        let gliding =
+            (self.laws.motion == MotionLaw::Frictionless).then(|| old.gliding(&state, self.clock));
         if let Some(flight) = gliding.flatten() {
             self.flights[ball] = flight;
             watch.piece(ball, &flight.path());
             return Ok(());
         }
+        let count = old.count.wrapping_add(1);
         let path = PathPiece {
             time: self.clock,
             piece: self.laws.motion.piece(body, &state),

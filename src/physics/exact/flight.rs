@@ -4,14 +4,15 @@ use glam::DVec3;
 
 use crate::physics::ball::{Ball, Motion, State};
 use crate::physics::contact::Track;
+use crate::physics::exact::predict::Next;
 use crate::physics::laws::cluster::TOUCH;
 use crate::physics::laws::motion::Piece;
 use crate::physics::record::PathPiece;
 
-/// What the search for contacts needs of a ball, in one cache line: the whole of a straight level path, and of any other
-/// how it may be met.
+/// What the search for contacts needs of a ball. The first of its two cache lines is what others ask for: the whole of a
+/// straight level path, and of any other how it may be met. The second is for its own events.
 #[derive(Clone, Copy, Debug)]
-#[repr(C, align(64))]
+#[repr(C, align(128))]
 pub(super) struct Flight {
     /// Place in plan at `since`, m.
     x: f64,
@@ -30,6 +31,9 @@ pub(super) struct Flight {
     pub(super) plain: bool,
     pub(super) moves: bool,
     pub(super) in_play: bool,
+    pub(super) body: Ball,
+    /// The next event found for it.
+    pub(super) next: Next,
 }
 
 /// A straight level path seen from now.
@@ -66,15 +70,17 @@ impl Flight {
                 && start.angular_velocity == DVec3::ZERO,
             moves: start.motion.translates(),
             in_play: start.motion.in_play(),
+            body: *body,
+            next: Next::NEVER,
         }
     }
 
-    /// The path that starts with this state now, if there is no more to it than is kept here. The ball glides, on a table
-    /// without cloth.
+    /// The path that follows this one with this state now, if there is no more to it than is kept here. The ball glides,
+    /// on a table without cloth.
     #[inline]
-    pub(super) fn gliding(radius: f64, state: &State, now: f64, count: u32) -> Option<Self> {
+    pub(super) fn gliding(&self, state: &State, now: f64) -> Option<Self> {
         let plain = state.motion == Motion::Gliding
-            && state.position.y == radius
+            && state.position.y == self.radius
             && state.velocity.y == 0.0
             && state.angular_velocity == DVec3::ZERO;
         plain.then_some(Self {
@@ -84,12 +90,12 @@ impl Flight {
             z_speed: state.velocity.z,
             since: now,
             until: f64::INFINITY,
-            radius,
-            count,
+            count: self.count.wrapping_add(1),
             level: true,
             plain: true,
             moves: true,
             in_play: true,
+            ..*self
         })
     }
 

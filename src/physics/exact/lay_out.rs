@@ -3,7 +3,6 @@
 use crate::physics::exact::cells::Cells;
 use crate::physics::exact::engine::Engine;
 use crate::physics::exact::flight::Flight;
-use crate::physics::exact::predict::Next;
 use crate::physics::exact::queue::Queue;
 use crate::physics::exact::touched::Touched;
 use crate::physics::exact::walls::Walls;
@@ -72,7 +71,6 @@ impl Engine {
             bodies: scene.balls.iter().map(|ball| ball.ball).collect(),
             paths: Vec::with_capacity(count),
             flights: Vec::with_capacity(count),
-            next: vec![Next::NEVER; count],
             touched: vec![Touched::NOTHING; count],
             widest: radius,
             walls,

@@ -83,7 +83,7 @@ impl Engine {
                 time: self.clock,
                 source,
             })?;
-        self.next[ball] = next;
+        self.flights[ball].next = next;
         self.queue.set(ball, next.time);
         Ok(())
     }
@@ -281,7 +281,7 @@ impl Engine {
     /// Lets the earliest event happen; the clock stands at its time.
     pub(super) fn step(&mut self, watch: &mut impl Watch) -> Result<(), SolveError> {
         let ball = self.queue.first();
-        let next = self.next[ball];
+        let next = self.flights[ball].next;
         match next.partner {
             Partner::Nothing => Ok(()),
             Partner::Cell(cell) => {
@@ -292,7 +292,9 @@ impl Engine {
                 self.predict(ball)
             }
             // The other ball has changed its path since: look again.
-            Partner::Ball(other) if self.flights[other as usize].count != next.count => self.predict(ball),
+            Partner::Ball(other) if self.flights[other as usize].count != next.count => {
+                self.predict(ball)
+            }
             Partner::Ball(_) | Partner::Cushion(_) => {
                 self.count_event(ball)?;
                 self.collide(ball, next.partner, watch)

@@ -39,7 +39,7 @@ impl Engine {
     pub fn save(&self) -> Saved {
         let balls = (0..self.count())
             .map(|ball| {
-                let next = self.next[ball];
+                let next = self.flights[ball].next;
                 let touched = self.touched[ball];
                 let path = self.path(ball);
                 SavedBall {
@@ -94,7 +94,7 @@ impl Engine {
             engine.paths[index] = path;
             engine.flights[index] = Flight::new(&engine.bodies[index], &path, ball.count);
             if let Some((time, partner, count)) = ball.next {
-                engine.next[index] = Next {
+                engine.flights[index].next = Next {
                     time,
                     partner,
                     count,
