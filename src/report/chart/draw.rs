@@ -120,7 +120,7 @@ where
     let mut context = ChartBuilder::on(area)
         .margin(FINE * 12)
         .caption(&panel.title, font(15))
-        .x_label_area_size(FINE * 46)
+        .x_label_area_size(FINE * 42)
         .y_label_area_size(FINE * 58)
         .build_cartesian_2d(x, y)?;
     let [x_scale, y_scale] = [panel.x.scale, panel.y.scale];
@@ -159,8 +159,8 @@ where
             Stroke::Line => {
                 context.draw_series(LineSeries::new(run, stroke(colour, 2)))?;
             }
-            Stroke::Dashed => {
-                let (dash, gap) = (FINE * 7, FINE * 5);
+            Stroke::Dashed | Stroke::Dotted => {
+                let (dash, gap) = dashes(series.ink.stroke);
                 let line = DashedLineSeries::new(run, dash, gap, stroke(colour, 2));
                 context.draw_series(line)?;
             }
@@ -195,10 +195,11 @@ fn sample(area: &Area, ink: Ink, y: i32) -> Result<(), Fault> {
     let (from, to) = (FINE * 8, FINE * 36);
     match ink.stroke {
         Stroke::Line => area.draw(&PathElement::new([(from, y), (to, y)], stroke(colour, 2))),
-        Stroke::Dashed => {
-            for start in [from, from + FINE * 10, from + FINE * 20] {
-                let dash = [(start, y), (start + FINE * 7, y)];
-                area.draw(&PathElement::new(dash, stroke(colour, 2)))?;
+        Stroke::Dashed | Stroke::Dotted => {
+            let (dash, gap) = dashes(ink.stroke);
+            for start in (from..to).step_by((dash + gap) as usize) {
+                let end = (start + dash).min(to);
+                area.draw(&PathElement::new([(start, y), (end, y)], stroke(colour, 2)))?;
             }
             Ok(())
         }
@@ -207,6 +208,14 @@ fn sample(area: &Area, ink: Ink, y: i32) -> Result<(), Fault> {
             FINE * 4,
             colour.filled(),
         )),
+    }
+}
+
+/// Lengths of the strokes of a broken line and of the gaps between them.
+fn dashes(stroke: Stroke) -> (i32, i32) {
+    match stroke {
+        Stroke::Dotted => (FINE * 2, FINE * 4),
+        _ => (FINE * 7, FINE * 5),
     }
 }
 

@@ -142,6 +142,15 @@ impl Ink {
         }
     }
 
+    /// A dotted line: over a full one both can be seen.
+    #[must_use]
+    pub const fn dotted(colour: usize) -> Self {
+        Self {
+            colour,
+            stroke: Stroke::Dotted,
+        }
+    }
+
     /// Points.
     #[must_use]
     pub const fn dots(colour: usize) -> Self {
@@ -159,6 +168,8 @@ pub enum Stroke {
     Line,
     /// A dashed line through all points.
     Dashed,
+    /// A dotted line through all points.
+    Dotted,
     /// A dot at each point.
     Dots,
 }

@@ -54,15 +54,21 @@ pub fn judge(allowance: f64) -> Judgement {
     }
 }
 
+/// Runs every family on a thread of its own; rows stay in the order of the list.
 fn gather(families: &[Family]) -> Vec<Row> {
-    let mut rows = Vec::new();
-    for (name, compute) in families {
-        match compute() {
-            Ok(more) => rows.extend(more),
-            Err(stopped) => rows.push(Row::stopped(name, stopped.to_string())),
-        }
-    }
-    rows
+    let stopped = |name: &str, why: &str| vec![Row::stopped(name, why)];
+    std::thread::scope(|scope| {
+        let running: Vec<_> = families
+            .iter()
+            .map(|(name, compute)| (name, scope.spawn(compute)))
+            .collect();
+        let rows = running.into_iter().map(|(name, rows)| match rows.join() {
+            Ok(Ok(rows)) => rows,
+            Ok(Err(why)) => stopped(name, &why.to_string()),
+            Err(_) => stopped(name, "its computation panicked"),
+        });
+        rows.flatten().collect()
+    })
 }
 
 impl Judgement {

@@ -125,9 +125,9 @@ impl Row {
 
     /// What a part of the judge that could not be computed leaves behind: a miss that tells why.
     #[must_use]
-    pub fn stopped(name: &str, why: String) -> Self {
+    pub fn stopped(name: &str, why: &str) -> Self {
         let mut row = Self::new(name, "solver", f64::NAN, f64::NAN, "");
-        row.note = Some(why);
+        row.note = Some(why.to_owned());
         row
     }
 

@@ -24,6 +24,9 @@ use crate::physics::table::Cushion;
 /// βₜ of a homogeneous sphere.
 const BETA: f64 = 3.5;
 
+/// Where in the second half of the contact a gap between spring and cone is looked for, as shares of it.
+const GAPS: [f64; 8] = [1e-6, 1e-3, 0.03, 0.125, 0.25, 0.5, 0.75, 0.9];
+
 /// Where the nose is taken to touch the ball.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Inclination {
@@ -142,9 +145,16 @@ impl Stronge2018 {
             stretch * libm::cos(angle) - speed / ratio * libm::sin(angle)
         };
         let excess = |t: f64| spring(t).abs() / mu - eta * libm::sin(phase(t));
-        // Sticking that begins after the turn begins with spring and cone touching, a double root: search just behind it.
-        let after_start = start + 1e-6 * (end - start);
-        let slip_at = crossing(excess, turn.max(after_start), end);
+        // Sticking that begins after the turn begins with spring and cone touching, a double root, and near the end of its
+        // range the gap behind it is hardly wider than rounding. So the search starts where the gap is wide; where there is
+        // none, sticking lasts to the end.
+        let from = turn.max(start);
+        let widest = GAPS
+            .map(|share| from + share * (end - from))
+            .into_iter()
+            .min_by(|a, b| excess(*a).total_cmp(&excess(*b)))
+            .filter(|time| excess(*time) < -1e-12);
+        let slip_at = widest.map_or(end, |time| crossing(excess, time, end));
         let angle = ratio * (slip_at - start);
         let sticking = ratio * stretch * libm::sin(angle) + speed * libm::cos(angle);
         BETA * mu * e * (1.0 + libm::cos(phase(slip_at))) - sticking

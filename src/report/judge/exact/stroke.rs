@@ -162,7 +162,7 @@ pub(super) fn masse() -> Result<Vec<Row>, Stopped> {
             scene.shot = Some(PlannedShot { ball: 0, shot });
             let record = play(&scene)?;
             let Some((when, state)) = begins(&record, Motion::Rolling) else {
-                rows.push(Row::stopped("J13 massé", "the ball never rolls".to_owned()));
+                rows.push(Row::stopped("J13 massé", "the ball never rolls"));
                 continue;
             };
             let name = format!("{}, μₛ {sliding}", name_of(&slate));

@@ -12,7 +12,7 @@ use crate::report::judge::stand::{EDGE, ball_ball_laws, cushion_laws};
 use crate::report::judge::{Row, Stopped};
 
 /// Random impacts per law.
-const IMPACTS: usize = 20_000;
+const IMPACTS: usize = 100_000;
 
 /// Share of the speeds before by which rounding may move the outcome.
 const ROUNDING: f64 = 1e-13;
@@ -62,7 +62,7 @@ struct Worst {
 
 impl Worst {
     fn rows(&self, kind: &str, law: &str) -> Vec<Row> {
-        let source = "conservation and symmetry, 20000 random impacts";
+        let source = "conservation and symmetry, 100 000 random impacts";
         [
             ("H15", "energy won, share", self.energy, 1e-12),
             ("H16", "mirror image differs by", self.mirror, ROUNDING),

@@ -2,11 +2,11 @@
 
 use crate::physics::laws::Laws;
 use crate::physics::laws::ball_ball::{BallBallLaw, Friction};
-use crate::report::chart::{Axis, Chart, Panel, Series};
-use crate::report::judge::coursework::a_second_later;
+use crate::report::chart::{Axis, Chart, Ink, Panel, Series};
+use crate::report::judge::coursework::when_it_should_roll;
 use crate::report::judge::exact::frozen_pair;
 use crate::report::judge::measurements::FROZEN_PAIR;
-use crate::report::judge::pictures::{COURSEWORK, MEASURED, law_ink};
+use crate::report::judge::pictures::{COURSEWORK, MEASURED, curve_ink};
 use crate::report::judge::stand::{Stand, Stopped, cut_line, rough, smooth, turn};
 use glam::DVec3;
 
@@ -19,12 +19,12 @@ const SPINS: [(f64, &str); 5] = [
     (-1.0, "draw, R ω = −v"),
 ];
 
-/// Deflection in degrees of a rolling cue ball by the coursework model one second after the hit: it never settles.
+/// Deflection in degrees of a rolling cue ball by the coursework model, when it should roll again.
 fn pushed(cut_deg: f64) -> f64 {
     let stand = Stand::POOL;
     let law = Laws::coursework().ball_ball;
     let hit = stand.hit(&law, &stand.rolling(2.0, 1.0), cut_deg.to_radians());
-    -turn(DVec3::X, a_second_later(&hit.first).velocity).to_degrees()
+    -turn(DVec3::X, when_it_should_roll(&hit.first).velocity).to_degrees()
 }
 
 pub(super) fn chart() -> Result<Chart, Stopped> {
@@ -36,14 +36,9 @@ pub(super) fn chart() -> Result<Chart, Stopped> {
     };
     let range = (0.5, 89.5);
     let panel = |title: &str, law: BallBallLaw| {
-        let mut series = vec![Series::curve(
-            "coursework roll, 1 s later",
-            COURSEWORK,
-            range,
-            pushed,
-        )];
+        let mut series = vec![Series::curve("coursework, roll", COURSEWORK, range, pushed)];
         for (i, (roll, label)) in SPINS.into_iter().enumerate() {
-            series.push(Series::curve(label, law_ink(i), range, |cut| {
+            series.push(Series::curve(label, curve_ink(i), range, |cut| {
                 deflected(&law, roll, cut)
             }));
         }
@@ -54,13 +49,13 @@ pub(super) fn chart() -> Result<Chart, Stopped> {
             series,
         }
     };
-    let frozen = |label: &str, place: usize, law: BallBallLaw| -> Result<Series, Stopped> {
+    let frozen = |label: &str, ink: Ink, law: BallBallLaw| -> Result<Series, Stopped> {
         let points: Result<Vec<_>, Stopped> = (1..89)
             .step_by(2)
             .map(f64::from)
             .map(|cut| Ok((cut, frozen_pair(&law, cut)?)))
             .collect();
-        Ok(Series::new(label, law_ink(place), points?))
+        Ok(Series::new(label, ink, points?))
     };
     let pair = Panel {
         title: "frozen pair, struck by the cue".to_owned(),
@@ -73,8 +68,12 @@ pub(super) fn chart() -> Result<Chart, Stopped> {
                 let hit = stand.hit(&Laws::coursework().ball_ball, &stand.stunned(1.0), cut);
                 turn(cut_line(cut), hit.first.velocity).abs().to_degrees()
             }),
-            frozen("frozen pair, frictionless", 1, smooth(0.95))?,
-            frozen("frozen pair, Marlow", 0, rough(0.95, Friction::MARLOW))?,
+            frozen("frozen pair, frictionless", curve_ink(1), smooth(0.95))?,
+            frozen(
+                "frozen pair, Marlow",
+                Ink::dotted(2),
+                rough(0.95, Friction::MARLOW),
+            )?,
             Series::new("E7 Alciatore, TP A.15", MEASURED, FROZEN_PAIR.to_vec()),
         ],
     };

@@ -28,7 +28,18 @@ const MEASURED: Ink = Ink::dots(0);
 /// The coursework model.
 const COURSEWORK: Ink = Ink::dashed(1);
 
-/// The ink of the law with this place in its list: the colours that neither of the above has.
+/// The ink of the law with this place in its list: the colours that neither of the above has, and every second line
+/// dotted, because laws that share a root can lie on each other.
 fn law_ink(place: usize) -> Ink {
+    let colour = 2 + place % 5;
+    if place % 2 == 0 {
+        Ink::line(colour)
+    } else {
+        Ink::dotted(colour)
+    }
+}
+
+/// The ink of one of several curves that never lie on each other.
+fn curve_ink(place: usize) -> Ink {
     Ink::line(2 + place % 5)
 }

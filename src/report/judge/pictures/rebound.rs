@@ -4,7 +4,7 @@ use crate::physics::laws::Laws;
 use crate::physics::laws::cushion::CushionLaw;
 use crate::report::chart::Ink;
 use crate::report::chart::{Axis, Chart, Panel, Series};
-use crate::report::judge::coursework::a_second_later;
+use crate::report::judge::coursework::when_it_should_roll;
 use crate::report::judge::exact::components;
 use crate::report::judge::experiments::{settled_normal, square_ratio};
 use crate::report::judge::measurements::{
@@ -31,7 +31,7 @@ fn after(law: &CushionLaw, degrees: f64, settled: bool) -> (f64, f64) {
     )
 }
 
-/// The same for the coursework model one second after the bounce: it never settles.
+/// The same for the coursework model, when it should roll again.
 fn pushed(degrees: f64) -> (f64, f64) {
     let stand = Stand::POOL;
     let incidence = degrees.to_radians();
@@ -40,7 +40,7 @@ fn pushed(degrees: f64) -> (f64, f64) {
         &stand.rolling(1.0, 1.0),
         incidence,
     );
-    let velocity = a_second_later(&bounced).velocity;
+    let velocity = when_it_should_roll(&bounced).velocity;
     let (out, along) = components(velocity, incidence);
     (libm::atan2(along, out).to_degrees(), velocity.length())
 }

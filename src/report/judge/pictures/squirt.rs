@@ -5,7 +5,7 @@ use crate::physics::cue::{Cue, Shot};
 use crate::physics::laws::cue_ball::strike;
 use crate::physics::laws::slate::SlateLaw;
 use crate::report::chart::{Axis, Chart, Panel, Series};
-use crate::report::judge::pictures::{COURSEWORK, MEASURED, law_ink};
+use crate::report::judge::pictures::{COURSEWORK, MEASURED, curve_ink};
 use crate::report::judge::stand::{Stand, Stopped, turn};
 use glam::DVec3;
 
@@ -33,7 +33,7 @@ pub(super) fn chart() -> Result<Chart, Stopped> {
     })];
     for (i, ratio) in RATIOS.into_iter().enumerate() {
         let label = format!("ball mass / end mass {ratio}");
-        series.push(Series::curve(&label, law_ink(i), range, |side| {
+        series.push(Series::curve(&label, curve_ink(i), range, |side| {
             squirt(ratio, side)
         }));
     }

@@ -5,7 +5,7 @@ use crate::report::chart::{Axis, Chart, Panel, Series};
 use crate::report::judge::exact::SPEEDS;
 use crate::report::judge::experiments::throw_points;
 use crate::report::judge::measurements::{DOMENECH_2023, DOMENECH_SPEED};
-use crate::report::judge::pictures::{COURSEWORK, MEASURED, law_ink};
+use crate::report::judge::pictures::{COURSEWORK, MEASURED, curve_ink};
 use crate::report::judge::stand::{Stand, Stopped, rough, smooth};
 
 pub(super) fn chart() -> Result<Chart, Stopped> {
@@ -25,14 +25,14 @@ pub(super) fn chart() -> Result<Chart, Stopped> {
         let marlow = rough(1.0, Friction::MARLOW);
         for (i, speed) in SPEEDS.into_iter().enumerate() {
             let label = format!("Marlow, {speed} m/s");
-            series.push(Series::curve(&label, law_ink(i), range, |cut| {
+            series.push(Series::curve(&label, curve_ink(i), range, |cut| {
                 thrown(&marlow, speed, roll, cut)
             }));
         }
         let constant = rough(1.0, Friction::Constant(0.06));
         series.push(Series::curve(
             "constant μ 0.06, any speed",
-            law_ink(3),
+            curve_ink(3),
             range,
             |cut| thrown(&constant, 1.0, roll, cut),
         ));
@@ -54,7 +54,7 @@ pub(super) fn chart() -> Result<Chart, Stopped> {
         .map(|(cut, (_, ours))| (cut, ours))
         .collect();
     let label = format!("Marlow, {DOMENECH_SPEED} m/s, as measured");
-    roll.series.push(Series::new(&label, law_ink(4), points));
+    roll.series.push(Series::new(&label, curve_ink(4), points));
     roll.series.push(Series::new(
         "E5 Domenech 2023, 0.8 m/s",
         MEASURED,
