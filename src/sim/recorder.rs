@@ -31,6 +31,13 @@ impl Recorder {
     /// An empty record of a shot that begins with this scene.
     #[must_use]
     pub fn start(scene: &Scene) -> Self {
+        if scene.solver.is_crowd() {
+            // A crowd is counted, not written down.
+            return Self {
+                before: Some(scene.clone()),
+                ..Self::default()
+            };
+        }
         let motion = &scene.laws.motion;
         let states = scene
             .balls
@@ -96,7 +103,10 @@ pub(super) fn plugin(app: &mut App) {
                 .in_set(SimSystems::Strike)
                 .after(super::playfield::load_scene)
                 .before(super::clock::strike),
-            record.in_set(SimSystems::Record).before(super::clock::rest),
+            record
+                .run_if(not(super::stepped::crowd::is_crowd))
+                .in_set(SimSystems::Record)
+                .before(super::clock::rest),
         ),
     );
 }

@@ -48,6 +48,9 @@ pub struct Stepped {
     /// Whether a contact is located inside the tick. Without it balls meet where the tick leaves them, overlapped:
     /// the coursework's way.
     pub locate: bool,
+    /// Whether the balls are worked on as a crowd: packed, on all threads, counted instead of recorded one by one. The
+    /// balls are equal then, there are no pockets, and without a `grid` the cells are fitted to the balls.
+    pub crowd: bool,
 }
 
 impl Default for Stepped {
@@ -56,6 +59,7 @@ impl Default for Stepped {
             tick: 1.0 / 120.0,
             grid: Some((20, 20)),
             locate: true,
+            crowd: false,
         }
     }
 }
@@ -71,6 +75,12 @@ pub enum Solver {
 }
 
 impl Solver {
+    /// Whether the balls are a crowd: see [`Stepped::crowd`].
+    #[must_use]
+    pub fn is_crowd(&self) -> bool {
+        matches!(self, Self::Stepped(stepped) if stepped.crowd)
+    }
+
     /// The solver that these laws get where none is named: exact where there is a closed form.
     #[must_use]
     pub fn suited_to(laws: &Laws) -> Self {

@@ -13,6 +13,7 @@ mod bodies;
 mod collide_balls;
 mod collide_cushions;
 mod contacts;
+pub mod crowd;
 mod friction;
 mod grid;
 mod movement;
@@ -53,7 +54,8 @@ pub enum StepSystems {
 }
 
 pub(super) fn plugin(app: &mut App) {
-    app.init_schedule(StepSchedule)
+    app.add_plugins(crowd::plugin)
+        .init_schedule(StepSchedule)
         .init_resource::<grid::Grid>()
         .init_resource::<bodies::Bodies>()
         .init_resource::<contacts::Contacts>()
@@ -86,7 +88,18 @@ pub(super) fn plugin(app: &mut App) {
                     .in_set(StepSystems::ApplyFriction)
                     .run_if(has_friction),
                 movement::move_balls.in_set(StepSystems::Move),
-            ),
+            )
+                .distributive_run_if(not(crowd::is_crowd)),
+        )
+        .add_systems(
+            StepSchedule,
+            (
+                crowd::take_up.in_set(StepSystems::RebuildGrid),
+                // The passes from the grid to friction run tile by tile.
+                crowd::advance.in_set(StepSystems::Resolve),
+                crowd::write.in_set(StepSystems::Move),
+            )
+                .distributive_run_if(crowd::is_crowd),
         )
         .add_systems(
             FixedUpdate,

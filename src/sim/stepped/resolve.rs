@@ -15,9 +15,9 @@ use crate::sim::stepped::grid::Grid;
 
 /// Impacts of one ball in one tick after which its contacts no longer bounce (e = 0): a row of balls that rattles
 /// between neighbours comes to rest against them instead of colliding for ever.
-const BOUNCES: u32 = 64;
+pub(super) const BOUNCES: u32 = 64;
 /// Impacts of one ball in one tick after which it meets nothing more until the next tick.
-const IMPACTS: u32 = 512;
+pub(super) const IMPACTS: u32 = 512;
 
 /// Runs through the queue.
 #[expect(

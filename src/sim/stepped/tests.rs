@@ -15,6 +15,7 @@ fn stepped(scene: &mut Scene, tick: f64, grid: Option<(u32, u32)>) {
         tick,
         grid,
         locate: true,
+        crowd: false,
     });
 }
 
@@ -206,6 +207,7 @@ fn coursework_runs_with_and_without_location() {
             tick: 1.0 / 60.0,
             grid: Some((20, 20)),
             locate,
+            crowd: false,
         });
         scene.time_limit = 30.0;
         let (record, _) = run_to_rest(&scene);

@@ -1,0 +1,88 @@
+//! What a crowd costs and how well it is kept: `cargo run --release --no-default-features --example time_crowd -- 50000 200`.
+//!
+//! Arguments: balls, ticks, ticks a second, `gas` or `cloth`, threads, `mirror` or `bare`.
+
+use std::time::Instant;
+
+use masse::physics::ball::Ball;
+use masse::physics::laws::Laws;
+use masse::physics::scene::{Scene, Solver, Stepped};
+use masse::physics::table::Preset;
+use masse::sim::stepped::crowd::{Census, Crowd, Mirror, Pass};
+use masse::sim::stepping;
+use rand::{RngExt, SeedableRng};
+
+fn scene(count: usize, rate: f64, cloth: bool) -> Scene {
+    let ball = Ball { spins: cloth, ..Ball::POOL };
+    let side = (count as f64 * std::f64::consts::PI / 0.4).sqrt() * ball.radius;
+    let table = Preset::Box { length: side, width: side }.table();
+    let mut scene = Scene::new(table, if cloth { Laws::default() } else { Laws::ideal() });
+    let columns = (count as f64).sqrt().ceil();
+    let pitch = side / columns;
+    let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(1);
+    let mut signed = || 2.0 * rng.random::<f64>() - 1.0;
+    let free = 0.5 * pitch - ball.radius;
+    for i in 0..count {
+        let (column, row) = (i as f64 % columns, (i as f64 / columns).floor());
+        let x = (column + 0.5) * pitch - 0.5 * side + 0.9 * free * signed();
+        let z = (row + 0.5) * pitch - 0.5 * side + 0.9 * free * signed();
+        let index = scene.place(&i.to_string(), ball, x, z);
+        // Sums of twelve: close to Maxwell from the start.
+        let mut normal = || 0.5 * (0..12).map(|_| signed()).sum::<f64>() * (0.5f64).sqrt();
+        scene.balls[index].state.velocity = glam::DVec3::new(normal(), 0.0, normal());
+    }
+    scene.solver = Solver::Stepped(Stepped { tick: 1.0 / rate, grid: None, crowd: true, ..Stepped::default() });
+    scene
+}
+
+fn main() {
+    let args: Vec<String> = std::env::args().collect();
+    let get = |i: usize, default: &str| args.get(i).cloned().unwrap_or(default.to_owned());
+    let count: usize = get(1, "5750").parse().expect("a number of balls");
+    let ticks: u32 = get(2, "200").parse().expect("a number of ticks");
+    let rate: f64 = get(3, "120").parse().expect("ticks a second");
+    let scene = scene(count, rate, get(4, "gas") == "cloth");
+    let mut app = stepping::headless_app(&scene);
+    drop(scene);
+    {
+        let mut crowd = app.world_mut().resource_mut::<Crowd>();
+        crowd.threads = get(5, "").parse().ok();
+        if get(6, "mirror") == "bare" {
+            crowd.mirror = Mirror::WhenAsked;
+        }
+    }
+    stepping::step(&mut app, 10);
+    let first = app.world().resource::<Census>().clone();
+    let mut times: Vec<f64> = Vec::new();
+    let mut passes = [0.0; 6];
+    let (mut overlap, mut parts) = (0.0_f64, 0);
+    for _ in 0..ticks {
+        let start = Instant::now();
+        stepping::step(&mut app, 1);
+        times.push(start.elapsed().as_secs_f64());
+        let census = app.world().resource::<Census>();
+        overlap = overlap.max(census.overlap);
+        parts += census.parts;
+        for (sum, time) in passes.iter_mut().zip(census.times) {
+            *sum += time.as_secs_f64();
+        }
+    }
+    times.sort_by(f64::total_cmp);
+    let census = app.world().resource::<Census>();
+    let per = 1e9 / count as f64;
+    let middle = times[times.len() / 2];
+    println!("{count} balls: median {:.3} ms a tick, {:.1} ns a ball and tick", 1e3 * middle, per * middle);
+    for pass in Pass::ALL {
+        print!("{pass:?} {:.1}  ", per * passes[pass as usize] / f64::from(ticks));
+    }
+    let time = f64::from(ticks) / rate;
+    println!();
+    println!(
+        "collisions {:.2} per ball and second, energy {:.3e}, overlap {:.2e} diameters, parts {:.2}, repeated {} tiles in all, saturated {}, speed {:.2}",
+        2.0 * (census.contacts_in_all - first.contacts_in_all) as f64 / count as f64 / time,
+        census.energy / first.energy - 1.0,
+        overlap / (2.0 * Ball::POOL.radius),
+        f64::from(parts) / f64::from(ticks),
+        census.repeated, census.saturated, census.speed,
+    );
+}
