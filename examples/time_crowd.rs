@@ -13,10 +13,24 @@ use masse::sim::stepping;
 use rand::{RngExt, SeedableRng};
 
 fn scene(count: usize, rate: f64, cloth: bool) -> Scene {
-    let ball = Ball { spins: cloth, ..Ball::POOL };
+    let ball = Ball {
+        spins: cloth,
+        ..Ball::POOL
+    };
     let side = (count as f64 * std::f64::consts::PI / 0.4).sqrt() * ball.radius;
-    let table = Preset::Box { length: side, width: side }.table();
-    let mut scene = Scene::new(table, if cloth { Laws::default() } else { Laws::ideal() });
+    let table = Preset::Box {
+        length: side,
+        width: side,
+    }
+    .table();
+    let mut scene = Scene::new(
+        table,
+        if cloth {
+            Laws::default()
+        } else {
+            Laws::ideal()
+        },
+    );
     let columns = (count as f64).sqrt().ceil();
     let pitch = side / columns;
     let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(1);
@@ -31,8 +45,26 @@ fn scene(count: usize, rate: f64, cloth: bool) -> Scene {
         let mut normal = || 0.5 * (0..12).map(|_| signed()).sum::<f64>() * (0.5f64).sqrt();
         scene.balls[index].state.velocity = glam::DVec3::new(normal(), 0.0, normal());
     }
-    scene.solver = Solver::Stepped(Stepped { tick: 1.0 / rate, grid: None, crowd: true, ..Stepped::default() });
+    scene.solver = Solver::Stepped(Stepped {
+        tick: 1.0 / rate,
+        grid: None,
+        crowd: true,
+        ..Stepped::default()
+    });
     scene
+}
+
+/// Seconds of CPU all threads of this process have used, where the system tells.
+fn cpu() -> f64 {
+    let Ok(tasks) = std::fs::read_dir("/proc/self/task") else {
+        return 0.0;
+    };
+    tasks
+        .flatten()
+        .filter_map(|task| std::fs::read_to_string(task.path().join("schedstat")).ok())
+        .filter_map(|text| text.split(' ').next().and_then(|ns| ns.parse::<f64>().ok()))
+        .sum::<f64>()
+        * 1e-9
 }
 
 fn main() {
@@ -47,6 +79,9 @@ fn main() {
     {
         let mut crowd = app.world_mut().resource_mut::<Crowd>();
         crowd.threads = get(5, "").parse().ok();
+        if let Ok(in_tile) = get(7, "").parse() {
+            crowd.in_tile = in_tile;
+        }
         if get(6, "mirror") == "bare" {
             crowd.mirror = Mirror::WhenAsked;
         }
@@ -56,6 +91,7 @@ fn main() {
     let mut times: Vec<f64> = Vec::new();
     let mut passes = [0.0; 6];
     let (mut overlap, mut parts) = (0.0_f64, 0);
+    let busy = cpu();
     for _ in 0..ticks {
         let start = Instant::now();
         stepping::step(&mut app, 1);
@@ -67,13 +103,22 @@ fn main() {
             *sum += time.as_secs_f64();
         }
     }
+    let busy = cpu() - busy;
     times.sort_by(f64::total_cmp);
     let census = app.world().resource::<Census>();
     let per = 1e9 / count as f64;
     let middle = times[times.len() / 2];
-    println!("{count} balls: median {:.3} ms a tick, {:.1} ns a ball and tick", 1e3 * middle, per * middle);
+    println!(
+        "{count} balls: median {:.3} ms a tick, {:.1} ns a ball and tick, {:.1} ns of CPU",
+        1e3 * middle,
+        per * middle,
+        per * busy / f64::from(ticks),
+    );
     for pass in Pass::ALL {
-        print!("{pass:?} {:.1}  ", per * passes[pass as usize] / f64::from(ticks));
+        print!(
+            "{pass:?} {:.1}  ",
+            per * passes[pass as usize] / f64::from(ticks)
+        );
     }
     let time = f64::from(ticks) / rate;
     println!();
@@ -83,6 +128,8 @@ fn main() {
         census.energy / first.energy - 1.0,
         overlap / (2.0 * Ball::POOL.radius),
         f64::from(parts) / f64::from(ticks),
-        census.repeated, census.saturated, census.speed,
+        census.repeated,
+        census.saturated,
+        census.speed,
     );
 }

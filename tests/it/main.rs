@@ -6,6 +6,7 @@ mod cli;
 mod closeness;
 #[cfg(feature = "window")]
 mod controls;
+mod crowds;
 mod cue_path;
 mod exact;
 mod frames;

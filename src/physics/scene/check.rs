@@ -16,6 +16,9 @@ pub const OVERLAP_TOLERANCE: f64 = 1e-9;
 /// Most cells of a grid: more would cost memory and find nothing sooner.
 const MOST_CELLS: f64 = 1e6;
 
+/// Share of a plane that equal discs cover at most: π / √12.
+const DENSEST: f64 = 0.906_899_682_117_089_3;
+
 impl Scene {
     /// Finds the first thing that makes the scene unplayable.
     ///
@@ -27,8 +30,12 @@ impl Scene {
         }
         self.check_surroundings()?;
         self.check_balls()?;
+        if self.solver.is_crowd() {
+            self.check_crowd()?;
+        }
         self.check_shot()?;
         self.check_places()?;
+        self.check_room()?;
         self.check_overlaps()?;
         if self.solver == Solver::Exact && !self.laws.motion.is_closed_form() {
             return Err(SceneError::NotExact);
@@ -138,6 +145,65 @@ impl Scene {
             ];
             for (name, vector, most) in vectors {
                 in_space(field(name), vector, most)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// The balls in play can fit on the table at all. Balls of different sizes pack denser, but never cover it.
+    fn check_room(&self) -> Result<(), SceneError> {
+        let Some(first) = self.balls.first() else {
+            return Ok(());
+        };
+        let playing = || self.balls.iter().filter(|ball| in_play(ball));
+        let covered: f64 = playing()
+            .map(|ball| std::f64::consts::PI * ball.ball.radius * ball.ball.radius)
+            .sum();
+        let alike = playing().all(|ball| ball.ball.radius == first.ball.radius);
+        // Half a ball can lie over the edge, in the mouth of a pocket.
+        let edge = if self.table.pockets.is_empty() {
+            0.0
+        } else {
+            2.0 * first.ball.radius
+        };
+        let room = (self.table.length + edge) * (self.table.width + edge);
+        let most = if alike { DENSEST } else { 1.0 };
+        if covered > most * room {
+            return Err(SceneError::TooDense {
+                count: playing().count(),
+                percent: 100.0 * covered / room,
+                most: 100.0 * most,
+            });
+        }
+        Ok(())
+    }
+
+    /// A crowd is equal balls on the slate of a table without pockets, with contacts located.
+    fn check_crowd(&self) -> Result<(), SceneError> {
+        let refuse = |field: &str, value: String, allowed: &'static str| {
+            Err(SceneError::NotACrowd {
+                field: field.to_owned(),
+                value,
+                allowed,
+            })
+        };
+        if let Solver::Stepped(stepped) = &self.solver
+            && !stepped.locate
+        {
+            return refuse("solver.locate", "false".to_owned(), "true");
+        }
+        if !self.table.pockets.is_empty() {
+            let count = self.table.pockets.len();
+            return refuse("table.pockets", format!("{count} pockets"), "none");
+        }
+        for (i, ball) in self.balls.iter().enumerate() {
+            let field = format!("balls[{i}] (`{}`)", ball.name);
+            let (this, first) = (&ball.ball, &self.balls[0].ball);
+            if this != first {
+                return refuse(&field, format!("{this:?}"), "the same ball as balls[0]");
+            }
+            if ball.state.motion == Motion::Airborne {
+                return refuse(&field, "airborne".to_owned(), "on the slate");
             }
         }
         Ok(())

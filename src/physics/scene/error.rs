@@ -74,6 +74,28 @@ pub enum SceneError {
         /// Depth in m.
         overlap: f64,
     },
+    /// More balls than the table has room for.
+    #[error(
+        "balls: {count} balls in play cover {percent} % of the table, at most {most} % can be covered"
+    )]
+    TooDense {
+        /// Balls in play.
+        count: usize,
+        /// Share of the table they cover, per cent.
+        percent: f64,
+        /// Largest share, per cent.
+        most: f64,
+    },
+    /// The solver is asked for a crowd of what is none.
+    #[error("{field}: {value} does not go with `solver.crowd: true`, allowed is {allowed}")]
+    NotACrowd {
+        /// Path of the field.
+        field: String,
+        /// The value.
+        value: String,
+        /// What is allowed.
+        allowed: &'static str,
+    },
     /// A ball is inside a cushion.
     #[error("balls: `{ball}` is inside cushion {cushion} by {overlap} m")]
     InsideCushion {

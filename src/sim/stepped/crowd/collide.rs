@@ -6,7 +6,7 @@ use crate::physics::contact::{self, Track};
 use crate::physics::roots::RootError;
 use crate::physics::table::Cushion;
 use crate::sim::stepped::crowd::body::Body;
-use crate::sim::stepped::crowd::patch::{END, Origin, Patch, Stretch};
+use crate::sim::stepped::crowd::patch::{END, MARGIN, Origin, Patch, Stretch};
 use crate::sim::stepped::crowd::queue::{Contact, Kind};
 use crate::sim::stepped::resolve::IMPACTS;
 
@@ -32,7 +32,7 @@ impl<B: Body> Patch<B> {
 
     /// Lists all pairs that are near enough in the middle of the stretch to touch during it.
     fn find_close(&mut self, stretch: &Stretch) {
-        let reach = 2.0 * (stretch.ball.radius + self.slack);
+        let reach = 2.0 * (stretch.ball.radius + self.slack) * (1.0 + MARGIN);
         let reach = reach * reach;
         let mut found = 0;
         for row in 0..self.rows {
@@ -84,6 +84,7 @@ impl<B: Body> Patch<B> {
         let body = self.bodies[index];
         let middle = body.position(age + 0.5 * left);
         let reach = 2.0 * stretch.ball.radius + self.slack + Self::extent(&body, age, left);
+        let reach = reach * (1.0 + MARGIN);
         let at = |place: DVec2| (place - self.least) * self.per_cell;
         // The casts saturate: cells at the edge reach to infinity.
         let column = |x: f64| (x as usize).min(self.columns - 1);
@@ -130,7 +131,10 @@ impl<B: Body> Patch<B> {
         let ages = [time - self.since[i], time - self.since[j]];
         let mut left = stretch.length - time;
         if B::BENDS {
-            left = left.min(a.left() - ages[0]).min(b.left() - ages[1]).max(0.0);
+            left = left
+                .min(a.left() - ages[0])
+                .min(b.left() - ages[1])
+                .max(0.0);
         }
         // Most pairs pass each other: that is told without a division and without a root.
         let reach = 2.0 * stretch.ball.radius;

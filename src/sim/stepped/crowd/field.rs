@@ -110,23 +110,28 @@ impl<B: Body> Field<B> {
             .iter()
             .map(|(tile, _)| tiles.all[*tile].bodies.len())
             .sum();
-        share(self.threads, awake, &mut self.patches, |patch, (tile, outcome)| {
-            let started = std::time::Instant::now();
-            patch.clear();
-            for (body, origin) in tiles.own(tile) {
-                patch.add(body, origin);
-            }
-            for other in tiles.around(tile) {
-                for (body, origin) in tiles.halo(tile, other, near, far) {
+        share(
+            self.threads,
+            awake,
+            &mut self.patches,
+            |patch, (tile, outcome)| {
+                let started = std::time::Instant::now();
+                patch.clear();
+                for (body, origin) in tiles.own(tile) {
                     patch.add(body, origin);
                 }
-            }
-            patch.tally.times[Pass::Grid as usize] += started.elapsed();
-            patch.solve(stretch);
-            let mut lap = std::time::Instant::now();
-            outcome.take(stretch, patch, tile as u32, &tiles.all[tile]);
-            outcome.tally.time(Pass::Move, &mut lap);
-        });
+                for other in tiles.around(tile) {
+                    for (body, origin) in tiles.halo(tile, other, near, far) {
+                        patch.add(body, origin);
+                    }
+                }
+                patch.tally.times[Pass::Grid as usize] += started.elapsed();
+                patch.solve(stretch);
+                let mut lap = std::time::Instant::now();
+                outcome.take(stretch, patch, tile as u32, &tiles.all[tile]);
+                outcome.tally.time(Pass::Move, &mut lap);
+            },
+        );
     }
 
     /// Solves again together the tiles that do not agree, until all do.
@@ -140,19 +145,20 @@ impl<B: Body> Field<B> {
         loop {
             let mut joined = Vec::new();
             for (tile, outcome) in (0..).zip(&self.outcomes) {
-                for (copy, [other, slot]) in &outcome.copies {
+                for (copy, changes, [other, slot]) in &outcome.copies {
                     let (one, two) = (root(&self.group, tile), root(&self.group, *other));
                     if one == two {
                         continue;
                     }
-                    let theirs = &self.outcomes[*other as usize];
+                    let (other, slot) = (*other as usize, *slot as usize);
+                    let theirs = &self.outcomes[other];
                     let truth = if theirs.slept {
                         // At rest the end is the start.
-                        &self.tiles.all[*other as usize].bodies[*slot as usize]
+                        (&self.tiles.all[other].bodies[slot], &0)
                     } else {
-                        &theirs.bodies[*slot as usize]
+                        (&theirs.bodies[slot], &theirs.changes[slot])
                     };
-                    if copy != truth {
+                    if (copy, changes) != truth {
                         self.group[one.max(two) as usize] = one.min(two);
                         joined.push(one.min(two));
                     }
@@ -212,9 +218,12 @@ impl<B: Body> Field<B> {
         let first = &mut self.outcomes[members[0]];
         first.failure = patch.failure;
         first.tally.add(&patch.tally);
-        first.copies.extend(patch.ends(stretch).filter_map(|(body, origin)| {
-            (origin.role == Role::Near).then_some((body, [origin.tile, origin.slot]))
-        }));
+        first
+            .copies
+            .extend(patch.ends(stretch).filter_map(|(body, changes, origin)| {
+                let place = [origin.tile, origin.slot];
+                (origin.role == Role::Near).then_some((body, changes, place))
+            }));
     }
 
     /// The failure of the ball with the lowest number, if any.

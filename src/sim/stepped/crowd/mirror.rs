@@ -103,14 +103,8 @@ fn read(crowd: &Crowd, balls: &Read) -> Result<(Ball, usize, Vec<(u32, State)>),
     for (index, position, velocity, spin, mass, radius, motion) in balls {
         let touched = crowd.written != Some(velocity.last_changed())
             || crowd.written != Some(position.last_changed());
-        let (ball, mut state) = ball_and_state(
-            &position,
-            &velocity,
-            spin.as_deref(),
-            mass,
-            radius,
-            &motion,
-        );
+        let (ball, mut state) =
+            ball_and_state(&position, &velocity, spin.as_deref(), mass, radius, &motion);
         if crowd.behind && !touched {
             state = crowd.state(index.0).unwrap_or(state);
         }
@@ -121,7 +115,10 @@ fn read(crowd: &Crowd, balls: &Read) -> Result<(Ball, usize, Vec<(u32, State)>),
             ));
         }
         if state.motion == Motion::Airborne {
-            return Err(format!("ball {} flies: a crowd stays on the slate", index.0));
+            return Err(format!(
+                "ball {} flies: a crowd stays on the slate",
+                index.0
+            ));
         }
         every = Some(ball);
         count = count.max(index.0 + 1);

@@ -51,13 +51,11 @@ use walls::Walls;
 const REACH: f64 = 4.0;
 /// Speeds may grow by this factor in one part of a tick; if one grows more, the part is computed again.
 const GROWTH: f64 = 1.25;
-/// Balls in a tile, if it is filled evenly.
-const FILL: f64 = 4000.0;
 /// Least side of a tile, in radii.
 const LEAST_SIDE: f64 = 64.0;
 
 /// The balls of a crowd. Every ball of the crowd belongs to one tile of the table.
-#[derive(Resource, Default)]
+#[derive(Resource)]
 pub struct Crowd {
     field: Option<Kind>,
     walls: Walls,
@@ -71,8 +69,28 @@ pub struct Crowd {
     asked: bool,
     /// Threads to use; absent is all that Bevy has for computing, and the one that waits for them.
     pub threads: Option<usize>,
+    /// Balls in a tile, if it is filled evenly; taken up when the balls are laid out. Large tiles leave the cache, small
+    /// ones have much around them. The result does not depend on it.
+    pub in_tile: usize,
     /// When the components are written.
     pub mirror: Mirror,
+}
+
+impl Default for Crowd {
+    fn default() -> Self {
+        Self {
+            field: None,
+            walls: Walls::default(),
+            ball: None,
+            speed: 0.0,
+            written: None,
+            behind: false,
+            asked: false,
+            threads: None,
+            in_tile: 4000,
+            mirror: Mirror::default(),
+        }
+    }
 }
 
 /// With and without bends and spin.
@@ -116,8 +134,10 @@ impl Crowd {
     fn lay_out(&mut self, playfield: &Playfield, ball: Ball, count: usize, balls: &[(u32, State)]) {
         let (table, law) = (&playfield.table, &playfield.laws.motion);
         let size = DVec2::new(table.length, table.width);
-        let in_tile = (size.x * size.y * FILL / balls.len().max(1) as f64).sqrt();
-        let side = in_tile.max(LEAST_SIDE * ball.radius);
+        let share = self.in_tile.max(1) as f64 / balls.len().max(1) as f64;
+        let side = (size.x * size.y * share)
+            .sqrt()
+            .max(LEAST_SIDE * ball.radius);
         let threads = self.threads();
         self.walls = Walls::new(table, (1.0 + REACH) * ball.radius);
         self.ball = Some(ball);

@@ -55,6 +55,8 @@ pub(super) const END: u32 = u32::MAX;
 /// Balls that move further than this many radii from the middle of their path are listed apart, if they are few: they
 /// would make the cells too large for all others.
 const SLACK: f64 = 1.2;
+/// What is added to distances before they are compared, for rounding; a share.
+pub(super) const MARGIN: f64 = 1e-9;
 /// One ball in so many may be listed apart.
 const FEW: usize = 32;
 
@@ -152,13 +154,13 @@ impl<B: Body> Patch<B> {
         self.tally.time(Pass::Resolve, &mut lap);
     }
 
-    /// Every ball with its origin, at the end of the stretch.
-    pub fn ends<'a>(&'a self, stretch: &'a Stretch) -> impl Iterator<Item = (B, Origin)> + 'a {
+    /// Every ball at the end of the stretch, with the changes of its path and its origin.
+    pub fn ends<'a>(&'a self, stretch: &'a Stretch) -> impl Iterator<Item = (B, u32, Origin)> + 'a {
         self.bodies
             .iter()
             .zip(&self.since)
-            .zip(&self.origins)
-            .map(|((body, since), origin)| {
+            .zip(self.versions.iter().zip(&self.origins))
+            .map(|((body, since), (changes, origin))| {
                 let age = stretch.length - since;
                 let end = match &stretch.laws.motion {
                     law @ MotionLaw::Coursework(coursework) => {
@@ -170,7 +172,7 @@ impl<B: Body> Patch<B> {
                         body.moved(&stretch.ball, age)
                     }
                 };
-                (end, *origin)
+                (end, *changes, *origin)
             })
     }
 
@@ -271,7 +273,7 @@ impl<B: Body> Patch<B> {
     }
 
     fn set_cells(&mut self, stretch: &Stretch, least: DVec2, most: DVec2) {
-        let reach = 2.0 * (stretch.ball.radius + self.slack) * (1.0 + 1e-9);
+        let reach = 2.0 * (stretch.ball.radius + self.slack) * (1.0 + 2.0 * MARGIN);
         let size = stretch.cell.unwrap_or(DVec2::splat(reach));
         self.least = least;
         self.per_cell = size.recip();

@@ -75,6 +75,7 @@ impl<B: Body> Patch<B> {
                             ball,
                             cushion,
                         ),
+                        nose: stretch.table.nose,
                         restitution: settled(self.impacts[i]),
                     },
                 );

@@ -29,8 +29,11 @@ pub(super) struct Tile<B> {
 pub(super) struct Outcome<B> {
     /// The balls at the end, in the order of the tile; not used if the tile slept.
     pub bodies: Vec<B>,
-    /// What became of the near balls of other tiles here, with their tile and slot.
-    pub copies: Vec<(B, [u32; 2])>,
+    /// How often the path of each ball changed. In a row of touching balls a blow passes through, and those in the
+    /// middle end as they began.
+    pub changes: Vec<u32>,
+    /// What became of the near balls of other tiles here, with the changes of their paths, their tile and slot.
+    pub copies: Vec<(B, u32, [u32; 2])>,
     pub slept: bool,
     /// Whether anything moves at the end.
     pub moves: bool,
@@ -47,10 +50,16 @@ impl<B: Body> Outcome<B> {
         self.slept = false;
         self.copies.clear();
         self.bodies.clone_from(&home.bodies);
-        for (body, origin) in patch.ends(stretch) {
+        self.changes.resize(self.bodies.len(), 0);
+        for (body, changes, origin) in patch.ends(stretch) {
             match origin.role {
-                Role::Own if origin.tile == tile => self.bodies[origin.slot as usize] = body,
-                Role::Near => self.copies.push((body, [origin.tile, origin.slot])),
+                Role::Own if origin.tile == tile => {
+                    self.bodies[origin.slot as usize] = body;
+                    self.changes[origin.slot as usize] = changes;
+                }
+                Role::Near => self
+                    .copies
+                    .push((body, changes, [origin.tile, origin.slot])),
                 Role::Own | Role::Far => {}
             }
         }
@@ -84,6 +93,7 @@ impl<B> Default for Outcome<B> {
     fn default() -> Self {
         Self {
             bodies: Vec::new(),
+            changes: Vec::new(),
             copies: Vec::new(),
             slept: true,
             moves: false,

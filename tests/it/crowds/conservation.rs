@@ -1,0 +1,134 @@
+//! What a crowd must not lose, gain or let through.
+
+use masse::physics::ball::{Ball, State};
+use masse::physics::laws::Laws;
+use masse::sim::stepped::crowd::Census;
+use masse::sim::stepping;
+
+use super::{SMOOTH, as_crowd, energy, gas, play};
+
+fn deepest_overlap(states: &[State], radius: f64) -> f64 {
+    let mut order: Vec<&State> = states.iter().collect();
+    order.sort_by(|a, b| a.position.x.total_cmp(&b.position.x));
+    let mut deepest = f64::NEG_INFINITY;
+    for (i, a) in order.iter().enumerate() {
+        for b in order[i + 1..]
+            .iter()
+            .take_while(|b| b.position.x - a.position.x < 2.0 * radius)
+        {
+            deepest = deepest.max(2.0 * radius - (a.position - b.position).length());
+        }
+    }
+    deepest
+}
+
+#[test]
+fn an_elastic_gas_keeps_its_energy_for_ten_thousand_ticks() {
+    let scene = gas(300, 0.4, 1.0, Laws::ideal(), SMOOTH);
+    let before = energy(
+        &scene.balls.iter().map(|b| b.state).collect::<Vec<_>>(),
+        &SMOOTH,
+    );
+    let (states, census) = play(&scene, 10_000, 2, 4000);
+    let after = energy(&states, &SMOOTH);
+    assert!(
+        (after / before - 1.0).abs() < 1e-9,
+        "{before} J became {after} J"
+    );
+    assert!((census.energy / after - 1.0).abs() < 1e-12);
+    assert!(census.overlap < 1e-9 && census.saturated == 0, "{census:?}");
+    assert!(deepest_overlap(&states, SMOOTH.radius) < 1e-9);
+}
+
+#[test]
+fn contacts_keep_momentum() {
+    // A drop of balls in the middle of a large box touches no cushion.
+    let mut scene = gas(900, 0.5, 1.0, Laws::ideal(), SMOOTH);
+    scene.table = masse::physics::table::Preset::Box {
+        length: 60.0,
+        width: 60.0,
+    }
+    .table();
+    let sum = |states: &[State]| states.iter().map(|s| s.velocity).sum::<glam::DVec3>();
+    let before = sum(&scene.balls.iter().map(|b| b.state).collect::<Vec<_>>());
+    let (states, census) = play(&scene, 240, 2, 100);
+    assert!(
+        census.cushions == 0 && census.contacts_in_all > 1000,
+        "{census:?}"
+    );
+    assert!(
+        (sum(&states) - before).length() < 1e-11,
+        "{before} became {}",
+        sum(&states)
+    );
+}
+
+#[test]
+fn no_ball_leaves_a_closed_box_at_a_hundred_metres_a_second() {
+    let mut scene = gas(400, 0.3, 100.0, Laws::ideal(), SMOOTH);
+    as_crowd(&mut scene, 1.0 / 60.0, None);
+    let half = 0.5 * scene.table.length - SMOOTH.radius + 1e-9;
+    let (states, census) = play(&scene, 60, 2, 4000);
+    assert!(census.parts > 10, "{census:?}");
+    for (i, state) in states.iter().enumerate() {
+        let place = state.position;
+        assert!(
+            place.x.abs() <= half && place.z.abs() <= half,
+            "ball {i} at {place}"
+        );
+    }
+    assert!(deepest_overlap(&states, SMOOTH.radius) < 1e-9);
+}
+
+/// Twice the number of contacts per ball and second: 49.8 in the limit of many balls; at the walls a ball has fewer
+/// neighbours but reaches them sooner.
+#[test]
+fn collision_rate_does_not_depend_on_the_tick() {
+    let mut rates = Vec::new();
+    for tick in [1.0 / 60.0, 1.0 / 120.0, 1.0 / 1000.0] {
+        let mut scene = gas(2500, 0.4, 1.0, Laws::ideal(), SMOOTH);
+        as_crowd(&mut scene, tick, None);
+        let mut app = stepping::headless_app(&scene);
+        // One second to forget the lattice.
+        stepping::step(&mut app, (1.0 / tick) as u32);
+        let first = app.world().resource::<Census>().contacts_in_all;
+        stepping::step(&mut app, (1.0 / tick) as u32);
+        let census = app.world().resource::<Census>();
+        rates.push(2.0 * (census.contacts_in_all - first) as f64 / 2500.0);
+    }
+    for rate in &rates {
+        assert!((rate / rates[2] - 1.0).abs() < 0.02, "{rates:?}");
+        assert!((48.0..53.0).contains(rate), "{rates:?}");
+    }
+}
+
+#[test]
+fn a_crowd_denser_than_it_can_bounce_loses_energy_and_stays_apart() {
+    // Nine tenths of what fits at all, at 0.6 of the speed after each impact.
+    let mut laws = Laws::ideal();
+    laws.ball_ball = masse::physics::laws::ball_ball::BallBallLaw::Frictionless(
+        masse::physics::laws::ball_ball::Frictionless { restitution: 0.6 },
+    );
+    let mut scene = gas(900, 0.78, 3.0, laws, SMOOTH);
+    as_crowd(&mut scene, 1.0 / 60.0, None);
+    let before = energy(
+        &scene.balls.iter().map(|b| b.state).collect::<Vec<_>>(),
+        &SMOOTH,
+    );
+    let (states, census) = play(&scene, 120, 2, 300);
+    let after = energy(&states, &SMOOTH);
+    assert!(after < 0.1 * before, "{before} J became {after} J");
+    assert!(
+        deepest_overlap(&states, SMOOTH.radius) < 0.05 * 2.0 * SMOOTH.radius,
+        "{census:?}"
+    );
+}
+
+#[test]
+fn tiles_at_rest_are_not_worked_on() {
+    let mut scene = gas(5000, 0.4, 0.0, Laws::default(), Ball::POOL);
+    scene.balls[0].state.velocity.x = 0.5;
+    let (_, census) = play(&scene, 5, 2, 100);
+    assert!(census.awake > 0 && census.awake < 2500, "{census:?}");
+    assert!(census.balls == 5000);
+}

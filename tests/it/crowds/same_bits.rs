@@ -1,0 +1,128 @@
+//! One answer, whoever computes it.
+
+use glam::DVec3;
+use masse::physics::ball::{Ball, State};
+use masse::physics::laws::Laws;
+use masse::physics::scene::{Scene, Solver, Stepped};
+use masse::physics::table::Preset;
+use masse::sim::stepping;
+
+use super::{SMOOTH, as_crowd, gas, play};
+
+/// The same scene in the solver for few balls.
+fn few(scene: &Scene, ticks: u32) -> Vec<State> {
+    let mut scene = scene.clone();
+    let Solver::Stepped(stepped) = scene.solver else {
+        panic!("a stepped scene");
+    };
+    scene.solver = Solver::Stepped(Stepped {
+        grid: Some((60, 60)),
+        crowd: false,
+        ..stepped
+    });
+    let mut app = stepping::headless_app(&scene);
+    stepping::step(&mut app, ticks);
+    stepping::states(&mut app)
+}
+
+fn assert_same(a: &[State], b: &[State], what: &str) {
+    assert_eq!(a.len(), b.len());
+    for (i, (a, b)) in a.iter().zip(b).enumerate() {
+        assert_eq!(a, b, "{what}: ball {i}");
+    }
+}
+
+#[test]
+fn a_gas_ends_in_the_bits_of_the_solver_for_few_balls() {
+    let scene = gas(3000, 0.4, 1.0, Laws::ideal(), SMOOTH);
+    let expected = few(&scene, 40);
+    for in_tile in [100, 1_000_000] {
+        let (states, census) = play(&scene, 40, 2, in_tile);
+        assert_same(&expected, &states, &format!("{in_tile} in a tile"));
+        assert!(census.contacts_in_all > 10_000, "{census:?}");
+        assert_eq!(census.parts, 1);
+    }
+}
+
+#[test]
+fn threads_tiles_and_cells_change_no_bit() {
+    let scene = gas(2500, 0.5, 2.0, Laws::ideal(), SMOOTH);
+    let (expected, _) = play(&scene, 60, 1, 1_000_000);
+    for threads in [1, 2, 3, 8] {
+        for grid in [None, Some((20, 20)), Some((50, 50)), Some((130, 7))] {
+            let mut scene = scene.clone();
+            as_crowd(&mut scene, 1.0 / 120.0, grid);
+            let (states, _) = play(&scene, 60, threads, 100);
+            assert_same(&expected, &states, &format!("{threads} threads, {grid:?}"));
+        }
+    }
+}
+
+#[test]
+fn threads_and_tiles_change_no_bit_with_cloth_and_spin() {
+    let mut scene = gas(2500, 0.5, 2.0, Laws::default(), Ball::POOL);
+    for ball in &mut scene.balls {
+        ball.state.angular_velocity = 30.0 * ball.state.velocity;
+    }
+    let (expected, census) = play(&scene, 90, 1, 1_000_000);
+    assert!(census.contacts_in_all > 10_000, "{census:?}");
+    for threads in [1, 2, 5] {
+        let (states, _) = play(&scene, 90, threads, 100);
+        assert_same(&expected, &states, &format!("{threads} threads"));
+    }
+}
+
+/// A row of touching balls carries a blow from one end to the other in no time, through every tile.
+#[test]
+fn a_blow_runs_through_all_tiles_of_a_frozen_row() {
+    let radius = SMOOTH.radius;
+    let table = Preset::Box {
+        length: 500.0 * radius,
+        width: 70.0 * radius,
+    };
+    let mut scene = Scene::new(table.table(), Laws::ideal());
+    for i in 0..200 {
+        scene.place(
+            &i.to_string(),
+            SMOOTH,
+            (2.0 * f64::from(i) - 200.0) * radius,
+            0.0,
+        );
+    }
+    let cue = scene.place("cue", SMOOTH, -202.5 * radius, 0.0);
+    scene.balls[cue].state.velocity = DVec3::X;
+    as_crowd(&mut scene, 1.0 / 60.0, None);
+    let expected = few(&scene, 20);
+    let (states, census) = play(&scene, 20, 2, 10);
+    assert_same(&expected, &states, "frozen row");
+    assert!(census.repeated > 0, "{census:?}");
+    assert!(states[199].velocity.x > 0.99, "{:?}", states[199]);
+}
+
+/// Pegs are cushions like any other.
+#[test]
+fn balls_among_pegs_end_in_the_bits_of_the_solver_for_few_balls() {
+    let mut scene = gas(1600, 0.2, 1.5, Laws::ideal(), SMOOTH);
+    let half = 0.5 * scene.table.length;
+    for i in 0..200 {
+        let (column, row) = (f64::from(i % 20), f64::from(i / 20));
+        let pitch = 2.0 * half / 41.0;
+        // Between the balls of the lattice.
+        let center = glam::DVec2::new(
+            column * 2.0 * pitch + pitch - half,
+            row * 4.0 * pitch + pitch - half,
+        );
+        let arc = masse::physics::table::Arc {
+            center,
+            radius: 0.002,
+        };
+        scene
+            .table
+            .cushions
+            .push(masse::physics::table::Cushion::Arc(arc));
+    }
+    let expected = few(&scene, 40);
+    let (states, census) = play(&scene, 40, 2, 100);
+    assert_same(&expected, &states, "pegs");
+    assert!(census.cushions > 0);
+}
