@@ -67,6 +67,9 @@ fn more_balls_than_fit_are_refused() {
         width: 0.5,
     }
     .table();
+    for ball in &mut scene.balls {
+        ball.state.position *= glam::DVec3::new(0.8, 1.0, 0.8);
+    }
     let refusal = refusal(&scene);
     assert!(
         refusal.contains("100 balls") && refusal.contains("%"),
