@@ -74,7 +74,9 @@ fn draw(folder: &Path) -> Result<(), CommandError> {
     let mut names = Vec::new();
     for (name, compute) in pictures::ALL {
         let unfinished = |reason: String| CommandError::Unfinished(format!("{name}: {reason}"));
-        let chart = compute().map_err(|stopped| unfinished(stopped.to_string()))?;
+        let chart = compute
+            .run()
+            .map_err(|stopped| unfinished(stopped.to_string()))?;
         let text = chart::draw(&chart).map_err(unfinished)?;
         to_file(&folder.join(name), text.as_bytes())?;
         names.push(*name);

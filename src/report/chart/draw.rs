@@ -204,7 +204,7 @@ fn sample(area: &Area, ink: Ink, y: i32) -> Result<(), Fault> {
             Ok(())
         }
         Stroke::Dots => area.draw(&Circle::new(
-            ((from + to) / 2, y),
+            (i32::midpoint(from, to), y),
             FINE * 4,
             colour.filled(),
         )),

@@ -15,15 +15,15 @@ use crate::report::judge::experiments::{
 };
 use crate::report::judge::measurements::{FROZEN_PAIR, MATHAVAN_2010, THREE_CUSHION_SETTLED};
 use crate::report::judge::stand::{Stand, Stopped, cut_line, play, room, rough, smooth, turn};
-use crate::report::judge::{Family, Measure, Row};
+use crate::report::judge::{Family, Measure, Row, Work};
 
 pub(super) const ALL: &[Family] = &[
-    ("C1 drag", drag),
-    ("C2 spin", spin),
-    ("C3 collision", collision),
-    ("C4 overlap", overlap),
-    ("C5 english", english),
-    ("experiments", experiments),
+    ("C1 drag", Work::Shots(drag)),
+    ("C2 spin", Work::Laws(spin)),
+    ("C3 collision", Work::Laws(collision)),
+    ("C4 overlap", Work::Shots(overlap)),
+    ("C5 english", Work::Laws(english)),
+    ("experiments", Work::Laws(experiments)),
 ];
 
 const LAW: &str = "Coursework";
@@ -132,7 +132,7 @@ fn first_time(holds: impl Fn(f64) -> bool) -> f64 {
 }
 
 /// C2: friction in proportion to spin.
-fn spin() -> Result<Vec<Row>, Stopped> {
+fn spin() -> Vec<Row> {
     let stand = Stand::POOL;
     let model = Coursework::default();
     let roll = stand.rolling(2.0, 1.0);
@@ -176,11 +176,11 @@ fn spin() -> Result<Vec<Row>, Stopped> {
         .by("exact solver; 1 cm taken")
         .because("So there is no 30° rule: the cue ball stays near the tangent line where friction should bend it forward."),
     );
-    Ok(rows)
+    rows
 }
 
 /// C3: no restitution, no friction between balls.
-fn collision() -> Result<Vec<Row>, Stopped> {
+fn collision() -> Vec<Row> {
     let stand = Stand::POOL;
     let (real, model) = (rough(0.95, Friction::MARLOW), Laws::coursework().ball_ball);
     let stun = stand.stunned(2.0);
@@ -194,13 +194,13 @@ fn collision() -> Result<Vec<Row>, Stopped> {
     let passed =
         |law| -stand.hit(law, &side, 0.0).second.angular_velocity.y / side.angular_velocity.y;
     let cut = |law| stand.hit(law, &stun, 0.0).second.velocity.x;
-    Ok(vec![
+    vec![
         row("C3 square stun at 2 m/s: object ball", cut(&real), cut(&model), "m/s"),
         row("C3 square stun at 2 m/s: cue ball", left(&real), left(&model), "m/s"),
         angle("C3 half-ball stun at 2 m/s: throw", thrown(&real), thrown(&model)),
         row("C3 straight with half english at 0.447 m/s: spin passed on", passed(&real), passed(&model), "")
             .because("Momentum alone, with neither restitution nor friction: right only for e 1 and smooth balls."),
-    ])
+    ]
 }
 
 /// C4: the normal taken where the tick left the balls, overlapped. Mean error of the direction of the object ball over a
@@ -259,7 +259,7 @@ fn overlap() -> Result<Vec<Row>, Stopped> {
 }
 
 /// C5: english turns the velocity.
-fn english() -> Result<Vec<Row>, Stopped> {
+fn english() -> Vec<Row> {
     let stand = Stand::POOL;
     let spin = DVec3::Y * (1.25 * 2.0 / stand.ball.radius);
     let start = stand.moving(DVec3::X * 2.0, spin);
@@ -276,7 +276,7 @@ fn english() -> Result<Vec<Row>, Stopped> {
             .to_degrees()
     };
     let (law, model) = (Laws::default().cushion, Laws::coursework().cushion);
-    Ok(vec![
+    vec![
         angle(
             "C5 most english at 2 m/s, level cue: path turns in 1 s by",
             turn(DVec3::X, real.velocity).to_degrees(),
@@ -284,11 +284,11 @@ fn english() -> Result<Vec<Row>, Stopped> {
         ),
         angle("C5 square into a cushion, R ω = v of side: leaves off the normal at", off(&law), off(&model))
             .because("Side spin leaves the open path straight but for squirt; its work is done at the cushion and in throw."),
-    ])
+    ]
 }
 
 /// The experiments, with the collisions of the model.
-fn experiments() -> Result<Vec<Row>, Stopped> {
+fn experiments() -> Vec<Row> {
     let laws = Laws::coursework();
     let stand = Stand::POOL;
     let angles: Vec<(f64, f64)> = FROZEN_PAIR
@@ -315,7 +315,7 @@ fn experiments() -> Result<Vec<Row>, Stopped> {
         .collect();
     let (normal_speed, ratio) = THREE_CUSHION_SETTLED;
     let settled = settled_normal(&Stand::CAROM, &laws.cushion, normal_speed, 0.0);
-    Ok(vec![
+    vec![
         Row::points(
             "E2 oblique hits, snooker: settled speeds, with our cloth",
             LAW,
@@ -360,5 +360,5 @@ fn experiments() -> Result<Vec<Row>, Stopped> {
         .because(
             "Cushions and balls that lose nothing and do not rub: none of the experiments is met.",
         ),
-    ])
+    ]
 }

@@ -10,7 +10,7 @@ pub(super) const MATHAVAN_2009: [[f64; 4]; 5] = [
     [0.942, 18.05, 0.365, 0.581],
 ];
 
-/// E3: Mathavan, Jackson & Parkin, Proc. IMechE C 224 (2010), fig. 7a. A snooker ball that rolls square into a cushion:
+/// E3: Mathavan, Jackson & Parkin, Proc. Inst. Mech. Eng. C 224 (2010), fig. 7a. A snooker ball that rolls square into a cushion:
 /// speed before and after in m/s.
 pub(super) const MATHAVAN_2010: [(f64, f64); 19] = [
     (0.263, 0.234),

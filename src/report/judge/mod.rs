@@ -36,8 +36,30 @@ pub struct Judgement {
     pub coursework: Vec<Row>,
 }
 
+/// What computes something.
+#[derive(Clone, Copy, Debug)]
+pub enum Work<T> {
+    /// By the laws alone.
+    Laws(fn() -> T),
+    /// By whole shots, which a solver may refuse to play.
+    Shots(fn() -> Result<T, Stopped>),
+}
+
+impl<T> Work<T> {
+    /// Computes it.
+    ///
+    /// # Errors
+    /// [`Stopped`] if a solver cannot play a shot.
+    pub fn run(&self) -> Result<T, Stopped> {
+        match self {
+            Self::Laws(compute) => Ok(compute()),
+            Self::Shots(compute) => compute(),
+        }
+    }
+}
+
 /// A group of rows: the name it has if it cannot be computed, and what computes it.
-type Family = (&'static str, fn() -> Result<Vec<Row>, Stopped>);
+type Family = (&'static str, Work<Vec<Row>>);
 
 /// Judges every law. Tolerances of the exact judges are multiplied by `allowance`: 1 is what they are judged by, less
 /// shows how much room is left.
@@ -60,7 +82,7 @@ fn gather(families: &[Family]) -> Vec<Row> {
     std::thread::scope(|scope| {
         let running: Vec<_> = families
             .iter()
-            .map(|(name, compute)| (name, scope.spawn(compute)))
+            .map(|(name, compute)| (name, scope.spawn(|| compute.run())))
             .collect();
         let rows = running.into_iter().map(|(name, rows)| match rows.join() {
             Ok(Ok(rows)) => rows,

@@ -4,16 +4,16 @@ use glam::DVec3;
 
 use crate::physics::ball::State;
 use crate::physics::laws::cushion::{CushionLaw, Han2005, Mirror};
+use crate::report::judge::Row;
 use crate::report::judge::stand::{Stand, cushion_laws};
-use crate::report::judge::{Row, Stopped};
 
 const HAN: &str = "closed form (Han 2005, eqs 14 to 20, nose at centre height)";
 
-pub(super) fn rows() -> Result<Vec<Row>, Stopped> {
+pub(super) fn rows() -> Vec<Row> {
     let mut rows = square();
     rows.extend(mirror());
     rows.extend(han_2005());
-    Ok(rows)
+    rows
 }
 
 /// The rebound of a ball that comes along x, nose at the height of its centre.

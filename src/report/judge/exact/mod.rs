@@ -9,7 +9,7 @@ mod stroke;
 mod symmetry;
 mod throw;
 
-use crate::report::judge::Family;
+use crate::report::judge::{Family, Work};
 
 pub(super) use cushion::components;
 pub(super) use deflection::shot;
@@ -18,15 +18,18 @@ pub(super) use throw::SPEEDS;
 
 /// Every family, in the order of the table.
 pub(super) const ALL: &[Family] = &[
-    ("J1 J2 sliding", slide::rows),
-    ("J3 J4 collision", collision::rows),
-    ("J5 J6 J7 deflection", deflection::rows),
-    ("J8 throw", throw::throw),
-    ("J9 gearing and transfer", throw::transfer),
-    ("J10 J17 simultaneous contacts", simultaneous::rows),
-    ("J11 J12 stroke and squirt", stroke::rows),
-    ("J13 massé", stroke::masse),
-    ("cushions", cushion::rows),
-    ("H15 H16 ball-ball laws", symmetry::ball_ball),
-    ("H15 H16 cushion laws", symmetry::cushion),
+    ("J1 J2 sliding", Work::Shots(slide::rows)),
+    ("J3 J4 collision", Work::Laws(collision::rows)),
+    ("J5 J6 J7 deflection", Work::Shots(deflection::rows)),
+    ("J8 throw", Work::Laws(throw::throw)),
+    ("J9 gearing and transfer", Work::Laws(throw::transfer)),
+    (
+        "J10 J17 simultaneous contacts",
+        Work::Shots(simultaneous::rows),
+    ),
+    ("J11 J12 stroke and squirt", Work::Laws(stroke::rows)),
+    ("J13 massé", Work::Shots(stroke::masse)),
+    ("cushions", Work::Laws(cushion::rows)),
+    ("H15 H16 ball-ball laws", Work::Laws(symmetry::ball_ball)),
+    ("H15 H16 cushion laws", Work::Laws(symmetry::cushion)),
 ];

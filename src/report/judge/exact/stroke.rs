@@ -35,7 +35,7 @@ fn struck(cue: &Cue, side: f64, height: f64) -> Struck {
     strike(cue, &SlateLaw::Held, &BALL, &rest, &shot)
 }
 
-pub(super) fn rows() -> Result<Vec<Row>, Stopped> {
+pub(super) fn rows() -> Vec<Row> {
     let mut rows = Vec::new();
     let source = "closed form (Alciatore, TP A.30)";
     for restitution in [1.0, 0.73] {
@@ -74,7 +74,7 @@ pub(super) fn rows() -> Result<Vec<Row>, Stopped> {
         .by("closed form; ours by a search, so to the root of rounding"),
     );
     rows.extend(squirt());
-    Ok(rows)
+    rows
 }
 
 /// The tip height in R whose shot rolls fastest, by golden section.

@@ -22,7 +22,7 @@ pub(in crate::report::judge) fn oblique_speeds(law: &BallBallLaw) -> Vec<(f64, f
     points
 }
 
-pub(super) fn oblique() -> Result<Vec<Row>, Stopped> {
+pub(super) fn oblique() -> Vec<Row> {
     let judged = |(name, law): (String, BallBallLaw)| {
         Row::points(
             "E2 oblique hits, snooker: settled speeds",
@@ -34,7 +34,7 @@ pub(super) fn oblique() -> Result<Vec<Row>, Stopped> {
         .by("Mathavan et al. 2009, table I; restitution 0.89 as measured there")
         .because("Balls that do not rub pass too much of their topspin's speed on: the cue ball comes out 13 % too fast.")
     };
-    Ok(ball_ball_laws().into_iter().map(judged).collect())
+    ball_ball_laws().into_iter().map(judged).collect()
 }
 
 /// Measured and computed throw of E5 in degrees.
@@ -57,7 +57,7 @@ pub(in crate::report::judge) fn throw_points(law: &BallBallLaw) -> Vec<(f64, f64
         .collect()
 }
 
-pub(super) fn throw() -> Result<Vec<Row>, Stopped> {
+pub(super) fn throw() -> Vec<Row> {
     let why = "These balls rub more than Alciatore's and Marlow's: a constant μ of 0.0999, fitted to this very set, would leave \
                0.68°. Throw depends on the set of balls, so it is a preset and no constant of nature.";
     let judged = |(name, law): (String, BallBallLaw)| {
@@ -76,10 +76,10 @@ pub(super) fn throw() -> Result<Vec<Row>, Stopped> {
             why
         })
     };
-    Ok(ball_ball_laws().into_iter().map(judged).collect())
+    ball_ball_laws().into_iter().map(judged).collect()
 }
 
-pub(super) fn head_on() -> Result<Vec<Row>, Stopped> {
+pub(super) fn head_on() -> Vec<Row> {
     let [speed, cue, object] = DERBY_FULLER_1999;
     let stand = Stand::POOL;
     let why = "The film asks for e 0.874 and μ 0.111, below and above the range of pool balls; the ball that the paper prints, \
@@ -106,10 +106,10 @@ pub(super) fn head_on() -> Result<Vec<Row>, Stopped> {
             );
         }
     }
-    Ok(rows)
+    rows
 }
 
-pub(super) fn largest_throw() -> Result<Vec<Row>, Stopped> {
+pub(super) fn largest_throw() -> Vec<Row> {
     let stand = Stand::POOL;
     let state = stand.stunned(SPEEDS[0]);
     let mut rows = Vec::new();
@@ -140,7 +140,7 @@ pub(super) fn largest_throw() -> Result<Vec<Row>, Stopped> {
             .because(why),
         );
     }
-    Ok(rows)
+    rows
 }
 
 /// E11: what every player knows.

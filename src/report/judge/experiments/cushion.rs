@@ -4,7 +4,7 @@ use crate::physics::ball::Ball;
 use crate::physics::laws::cushion::CushionLaw;
 use crate::report::judge::exact::components;
 use crate::report::judge::measurements::{HAN_2005, MATHAVAN_2010, Sudo, THREE_CUSHION_SETTLED};
-use crate::report::judge::stand::{Stand, Stopped, ball_ball_laws, cushion_laws, turn};
+use crate::report::judge::stand::{Stand, ball_ball_laws, cushion_laws, turn};
 use crate::report::judge::{Measure, Row};
 
 /// Speed after over speed before of a ball that rolls square into a cushion with this speed.
@@ -16,7 +16,7 @@ pub(in crate::report::judge) fn square_ratio(stand: &Stand, law: &CushionLaw, sp
         / speed
 }
 
-pub(super) fn square() -> Result<Vec<Row>, Stopped> {
+pub(super) fn square() -> Vec<Row> {
     let mut rows = Vec::new();
     for (name, law) in cushion_laws() {
         let points = |slow: bool| -> Vec<(f64, f64)> {
@@ -53,11 +53,11 @@ pub(super) fn square() -> Result<Vec<Row>, Stopped> {
                       restitution for all speeds a law cannot follow (its authors give 2.5 m/s as the limit)."),
         );
     }
-    Ok(rows)
+    rows
 }
 
 /// E4: Sudo & Shibata measured both in one paper.
-pub(super) fn sudo() -> Result<Vec<Row>, Stopped> {
+pub(super) fn sudo() -> Vec<Row> {
     let stand = Stand {
         ball: Ball {
             mass: 0.1686,
@@ -107,11 +107,11 @@ pub(super) fn sudo() -> Result<Vec<Row>, Stopped> {
             );
         }
     }
-    Ok(rows)
+    rows
 }
 
 /// E9: Han's own restitution, which rises with speed where E3 and E4 fall.
-pub(super) fn rising() -> Result<Vec<Row>, Stopped> {
+pub(super) fn rising() -> Vec<Row> {
     let stand = Stand::CAROM;
     let mut rows = Vec::new();
     for (name, law) in cushion_laws() {
@@ -136,7 +136,7 @@ pub(super) fn rising() -> Result<Vec<Row>, Stopped> {
                       (E10), so the rise may be an artefact; no law here follows it."),
         );
     }
-    Ok(rows)
+    rows
 }
 
 /// Share of the normal speed that a ball that rolls into a cushion has left once it rolls again.
@@ -151,7 +151,7 @@ pub(in crate::report::judge) fn settled_normal(
     components(stand.settled(&after).velocity, incidence).0 / normal_speed
 }
 
-pub(super) fn settled() -> Result<Vec<Row>, Stopped> {
+pub(super) fn settled() -> Vec<Row> {
     let (normal_speed, measured) = THREE_CUSHION_SETTLED;
     let mut rows = Vec::new();
     for (name, law) in cushion_laws() {
@@ -178,5 +178,5 @@ pub(super) fn settled() -> Result<Vec<Row>, Stopped> {
                       default coefficients, leaves the ball another spin."),
         );
     }
-    Ok(rows)
+    rows
 }

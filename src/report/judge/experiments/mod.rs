@@ -4,22 +4,22 @@ mod ball_ball;
 mod cushion;
 mod frozen;
 
-use crate::report::judge::Family;
+use crate::report::judge::{Family, Work};
 
 pub(super) use ball_ball::{oblique_speeds, throw_points};
 pub(super) use cushion::{settled_normal, square_ratio};
 
 /// Every family, in the order of the table.
 pub(super) const ALL: &[Family] = &[
-    ("E2 oblique hits", ball_ball::oblique),
-    ("E3 square rebounds", cushion::square),
-    ("E4 parting and rebound", cushion::sudo),
-    ("E5 throw", ball_ball::throw),
-    ("E6 head-on", ball_ball::head_on),
-    ("E7 frozen pair", frozen::pair),
-    ("E8 largest throw", ball_ball::largest_throw),
-    ("E9 rising restitution", cushion::rising),
-    ("E10 settled rebound", cushion::settled),
-    ("E11 rules of thumb", ball_ball::thumb),
-    ("E12 cue into a frozen pair", frozen::straight),
+    ("E2 oblique hits", Work::Laws(ball_ball::oblique)),
+    ("E3 square rebounds", Work::Laws(cushion::square)),
+    ("E4 parting and rebound", Work::Laws(cushion::sudo)),
+    ("E5 throw", Work::Laws(ball_ball::throw)),
+    ("E6 head-on", Work::Laws(ball_ball::head_on)),
+    ("E7 frozen pair", Work::Shots(frozen::pair)),
+    ("E8 largest throw", Work::Laws(ball_ball::largest_throw)),
+    ("E9 rising restitution", Work::Laws(cushion::rising)),
+    ("E10 settled rebound", Work::Laws(cushion::settled)),
+    ("E11 rules of thumb", Work::Shots(ball_ball::thumb)),
+    ("E12 cue into a frozen pair", Work::Shots(frozen::straight)),
 ];

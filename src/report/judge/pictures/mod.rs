@@ -8,18 +8,18 @@ mod throw;
 mod travel;
 
 use crate::report::chart::{Chart, Ink};
-use crate::report::judge::Stopped;
+use crate::report::judge::Work;
 
 /// A file name and the chart that it holds.
-pub type Picture = (&'static str, fn() -> Result<Chart, Stopped>);
+pub type Picture = (&'static str, Work<Chart>);
 
 /// Every picture.
 pub const ALL: &[Picture] = &[
-    ("throw.svg", throw::chart),
-    ("rebound.svg", rebound::chart),
-    ("deflection.svg", deflection::chart),
-    ("draw-and-follow.svg", travel::chart),
-    ("squirt.svg", squirt::chart),
+    ("throw.svg", Work::Laws(throw::chart)),
+    ("rebound.svg", Work::Laws(rebound::chart)),
+    ("deflection.svg", Work::Shots(deflection::chart)),
+    ("draw-and-follow.svg", Work::Shots(travel::chart)),
+    ("squirt.svg", Work::Laws(squirt::chart)),
 ];
 
 /// What was measured.
@@ -32,7 +32,7 @@ const COURSEWORK: Ink = Ink::dashed(1);
 /// dotted, because laws that share a root can lie on each other.
 fn law_ink(place: usize) -> Ink {
     let colour = 2 + place % 5;
-    if place % 2 == 0 {
+    if place.is_multiple_of(2) {
         Ink::line(colour)
     } else {
         Ink::dotted(colour)

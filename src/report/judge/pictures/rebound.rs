@@ -11,7 +11,7 @@ use crate::report::judge::measurements::{
     MATHAVAN_2010, Sudo, THREE_CUSHION_FAST, THREE_CUSHION_SETTLED,
 };
 use crate::report::judge::pictures::{COURSEWORK, MEASURED, law_ink};
-use crate::report::judge::stand::{Stand, Stopped, cushion_laws};
+use crate::report::judge::stand::{Stand, cushion_laws};
 
 /// What a panel shows of one law at one x.
 type Value = fn(&CushionLaw, f64) -> f64;
@@ -45,110 +45,120 @@ fn pushed(degrees: f64) -> (f64, f64) {
     (libm::atan2(along, out).to_degrees(), velocity.length())
 }
 
-pub(super) fn chart() -> Result<Chart, Stopped> {
-    let angle = || Axis::linear("incidence off the normal, °", 0.0, 90.0);
-    let laws = cushion_laws();
-    let panel = |title: &str,
-                 x: Axis,
-                 y: Axis,
-                 range: (f64, f64),
-                 value: Value,
-                 pushed: Option<fn(f64) -> f64>| {
-        let own = Laws::coursework().cushion;
-        let mut series = vec![Series::curve("coursework", COURSEWORK, range, |x| {
-            if let Some(pushed) = pushed {
-                pushed(x)
-            } else {
-                value(&own, x)
-            }
-        })];
-        for (i, (name, law)) in laws.iter().enumerate() {
-            series.push(Series::curve(name, law_ink(i), range, |x| value(law, x)));
-        }
-        Panel {
-            title: title.to_owned(),
-            x,
-            y,
-            series,
-        }
-    };
+/// The curves of every law and of the coursework model; `model` where its curve is not that of its cushion alone.
+fn curves(range: (f64, f64), value: Value, model: Option<fn(f64) -> f64>) -> Vec<Series> {
+    let own = Laws::coursework().cushion;
+    let mut series = vec![Series::curve(
+        "coursework",
+        COURSEWORK,
+        range,
+        |x| match model {
+            Some(model) => model(x),
+            None => value(&own, x),
+        },
+    )];
+    for (i, (name, law)) in cushion_laws().iter().enumerate() {
+        series.push(Series::curve(name, law_ink(i), range, |x| value(law, x)));
+    }
+    series
+}
+
+/// Four panels over the angle of incidence: direction and speed, just after the bounce and once the ball rolls again.
+fn by_incidence() -> [Panel; 4] {
     let range = (0.0, 89.0);
-    let mut square = panel(
-        "square roll, snooker: speed ratio",
-        Axis::linear("speed before, m/s", 0.0, 3.5),
-        Axis::linear("speed after / before", 0.5, 1.05),
-        (0.1, 3.5),
-        |law, speed| square_ratio(&Stand::SNOOKER, law, speed),
-        None,
-    );
-    let ratios = MATHAVAN_2010
-        .map(|(speed, after)| (speed, after / speed))
-        .to_vec();
-    square
-        .series
-        .push(Series::new("E3 Mathavan et al. 2010", MEASURED, ratios));
-    let sudo = vec![(1.0, Sudo::CUSHION_SLOW)];
-    square.series.push(Series::new(
-        "E4 Sudo & Shibata 2002, below 1.8 m/s",
-        Ink::dots(2),
-        sudo,
-    ));
-    let mut normal = panel(
-        "roll at 20°, carom: normal speed ratio once it rolls",
-        Axis::linear("normal speed before, m/s", 0.0, 2.5),
-        Axis::linear("normal speed after / before", 0.2, 1.05),
-        (0.1, 2.5),
-        |law, speed| settled_normal(&Stand::CAROM, law, speed, f64::to_radians(20.0)),
-        None,
-    );
-    let settled = vec![THREE_CUSHION_SETTLED];
-    normal
-        .series
-        .push(Series::new("E10 three-cushion, settled", MEASURED, settled));
-    let early = THREE_CUSHION_FAST.to_vec();
-    normal.series.push(Series::new(
-        "E10, seen before settling",
-        Ink::dots(3),
-        early,
-    ));
-    Ok(Chart {
-        title: "Rebound from a cushion of a rolling ball".to_owned(),
-        panels: vec![
-            panel(
-                "just after the bounce",
-                angle(),
-                Axis::linear("leaves off the normal, °", 0.0, 90.0),
-                range,
-                |law, degrees| after(law, degrees, false).0,
-                None,
-            ),
-            panel(
-                "once it rolls again",
-                angle(),
-                Axis::linear("goes off the normal, °", 0.0, 90.0),
+    let panel = |title: &str, y: Axis, series: Vec<Series>| Panel {
+        title: title.to_owned(),
+        x: Axis::linear("incidence off the normal, °", 0.0, 90.0),
+        y,
+        series,
+    };
+    let angle = |label: &str| Axis::linear(label, 0.0, 90.0);
+    let share = || Axis::linear("speed after / before", 0.0, 1.05);
+    let (bounce, roll) = ("just after the bounce", "once it rolls again");
+    [
+        panel(
+            bounce,
+            angle("leaves off the normal, °"),
+            curves(range, |law, degrees| after(law, degrees, false).0, None),
+        ),
+        panel(
+            roll,
+            angle("goes off the normal, °"),
+            curves(
                 range,
                 |law, degrees| after(law, degrees, true).0,
                 Some(|degrees| pushed(degrees).0),
             ),
-            square,
-            panel(
-                "just after the bounce",
-                angle(),
-                Axis::linear("speed after / before", 0.0, 1.05),
-                range,
-                |law, degrees| after(law, degrees, false).1,
-                None,
-            ),
-            panel(
-                "once it rolls again",
-                angle(),
-                Axis::linear("speed after / before", 0.0, 1.05),
+        ),
+        panel(
+            bounce,
+            share(),
+            curves(range, |law, degrees| after(law, degrees, false).1, None),
+        ),
+        panel(
+            roll,
+            share(),
+            curves(
                 range,
                 |law, degrees| after(law, degrees, true).1,
                 Some(|degrees| pushed(degrees).1),
             ),
-            normal,
-        ],
+        ),
+    ]
+}
+
+/// Square rebounds against speed, beside E3 and E4.
+fn square() -> Panel {
+    let value: Value = |law, speed| square_ratio(&Stand::SNOOKER, law, speed);
+    let mut series = curves((0.1, 3.5), value, None);
+    let ratios = MATHAVAN_2010
+        .map(|(speed, after)| (speed, after / speed))
+        .to_vec();
+    series.push(Series::new("E3 Mathavan et al. 2010", MEASURED, ratios));
+    let sudo = vec![(1.0, Sudo::CUSHION_SLOW)];
+    series.push(Series::new(
+        "E4 Sudo & Shibata 2002, below 1.8 m/s",
+        Ink::dots(1),
+        sudo,
+    ));
+    Panel {
+        title: "square roll, snooker: speed ratio".to_owned(),
+        x: Axis::linear("speed before, m/s", 0.0, 3.5),
+        y: Axis::linear("speed after / before", 0.5, 1.05),
+        series,
+    }
+}
+
+/// Settled rebounds against speed, beside E10.
+fn settled() -> Panel {
+    let value: Value =
+        |law, speed| settled_normal(&Stand::CAROM, law, speed, f64::to_radians(20.0));
+    let mut series = curves((0.1, 2.5), value, None);
+    let settled = vec![THREE_CUSHION_SETTLED];
+    series.push(Series::new(
+        "E10 three-cushion, settled",
+        Ink::dots(2),
+        settled,
+    ));
+    let early = THREE_CUSHION_FAST.to_vec();
+    series.push(Series::new(
+        "E10, seen before settling",
+        Ink::dots(3),
+        early,
+    ));
+    Panel {
+        title: "roll at 20°, carom: normal speed ratio once it rolls".to_owned(),
+        x: Axis::linear("normal speed before, m/s", 0.0, 2.5),
+        y: Axis::linear("normal speed after / before", 0.2, 1.05),
+        series,
+    }
+}
+
+pub(super) fn chart() -> Chart {
+    let [leaves, goes, kept, settles] = by_incidence();
+    Chart {
+        title: "Rebound from a cushion of a rolling ball".to_owned(),
+        panels: vec![leaves, goes, square(), kept, settles, settled()],
         columns: 3,
-    })
+    }
 }

@@ -6,13 +6,13 @@ use crate::physics::laws::cue_ball::strike;
 use crate::physics::laws::slate::SlateLaw;
 use crate::report::chart::{Axis, Chart, Panel, Series};
 use crate::report::judge::pictures::{COURSEWORK, MEASURED, curve_ink};
-use crate::report::judge::stand::{Stand, Stopped, turn};
+use crate::report::judge::stand::{Stand, turn};
 use glam::DVec3;
 
 /// Ball mass over end mass: a heavy shaft, the one of pooltool's test, its default, a low-deflection shaft.
 const RATIOS: [f64; 4] = [10.0, 20.0, 30.0, 60.0];
 
-pub(super) fn chart() -> Result<Chart, Stopped> {
+pub(super) fn chart() -> Chart {
     let ball = Stand::POOL.ball;
     let squirt = |ratio: f64, side: f64| {
         let cue = Cue {
@@ -42,7 +42,7 @@ pub(super) fn chart() -> Result<Chart, Stopped> {
         MEASURED,
         vec![(0.2, 1.199_358_331_3)],
     ));
-    Ok(Chart {
+    Chart {
         title: "Squirt against english: the ball leaves away from the tip, at any speed".to_owned(),
         panels: vec![Panel {
             title: "level cue; no measured table could be had".to_owned(),
@@ -51,5 +51,5 @@ pub(super) fn chart() -> Result<Chart, Stopped> {
             series,
         }],
         columns: 1,
-    })
+    }
 }

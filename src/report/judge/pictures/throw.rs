@@ -6,9 +6,9 @@ use crate::report::judge::exact::SPEEDS;
 use crate::report::judge::experiments::throw_points;
 use crate::report::judge::measurements::{DOMENECH_2023, DOMENECH_SPEED};
 use crate::report::judge::pictures::{COURSEWORK, MEASURED, curve_ink};
-use crate::report::judge::stand::{Stand, Stopped, rough, smooth};
+use crate::report::judge::stand::{Stand, rough, smooth};
 
-pub(super) fn chart() -> Result<Chart, Stopped> {
+pub(super) fn chart() -> Chart {
     let stand = Stand::POOL;
     let thrown = |law: &BallBallLaw, speed: f64, roll: f64, cut_deg: f64| {
         let state = stand.rolling(speed, roll);
@@ -60,9 +60,9 @@ pub(super) fn chart() -> Result<Chart, Stopped> {
         MEASURED,
         DOMENECH_2023.to_vec(),
     ));
-    Ok(Chart {
+    Chart {
         title: "Throw of the object ball against cut angle".to_owned(),
         panels: vec![stun, roll],
         columns: 2,
-    })
+    }
 }
