@@ -7,7 +7,7 @@
 use glam::{DVec2, DVec3};
 use thiserror::Error;
 
-use crate::physics::ball::{Motion, State};
+use crate::physics::ball::State;
 use crate::physics::contact::{self, Track};
 use crate::physics::cue::Shot;
 use crate::physics::laws::ball_ball::PairContact;
@@ -192,7 +192,7 @@ fn first_hit(
         }
     };
     for (index, other) in scene.balls.iter().enumerate() {
-        if index == ball || other.state.motion == Motion::Pocketed {
+        if index == ball || !other.state.motion.in_play() {
             continue;
         }
         let still = Track {
@@ -340,7 +340,7 @@ mod tests {
     #[test]
     fn a_pocketed_ball_has_no_guide() {
         let mut scene = scene(Laws::default());
-        scene.balls[0].state.motion = Motion::Pocketed;
+        scene.balls[0].state.motion = crate::physics::ball::Motion::Pocketed;
         let guide = first_contact(&scene, 0, &Shot::default(), 0.2);
         assert_eq!(guide, Err(GuideError::NotOnTable(0)));
         let nobody = first_contact(&scene, 7, &Shot::default(), 0.2);

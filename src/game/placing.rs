@@ -5,7 +5,7 @@
 
 use glam::{DVec2, DVec3};
 
-use crate::physics::ball::{Motion, State};
+use crate::physics::ball::State;
 use crate::physics::scene::Scene;
 use crate::physics::table::Cushion;
 
@@ -136,7 +136,7 @@ fn others(scene: &Scene, ball: usize) -> impl Iterator<Item = (DVec2, f64)> {
         .balls
         .iter()
         .enumerate()
-        .filter(move |(index, other)| *index != ball && other.state.motion != Motion::Pocketed)
+        .filter(move |(index, other)| *index != ball && other.state.motion.in_play())
         .map(|(_, other)| {
             let center = other.state.position;
             (DVec2::new(center.x, center.z), other.ball.radius)

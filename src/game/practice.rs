@@ -309,7 +309,7 @@ fn settle(
     let pocketed = scene
         .balls
         .get(cue_ball)
-        .is_some_and(|ball| ball.state.motion == Motion::Pocketed);
+        .is_some_and(|ball| !ball.state.motion.in_play());
     let head = scene.table.head_spot();
     if pocketed && placing::place(&mut scene, cue_ball, head) {
         put_down(&mut balls.p1(), &scene, cue_ball);

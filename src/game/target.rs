@@ -2,7 +2,6 @@
 
 use glam::DVec3;
 
-use crate::physics::ball::Motion;
 use crate::physics::cue::Shot;
 use crate::physics::scene::{Rack, Scene};
 
@@ -57,7 +56,7 @@ pub fn beside(scene: &Scene, ball: usize, heading: f64, step: i32) -> Option<f64
 }
 
 fn in_play(scene: &Scene) -> impl Iterator<Item = usize> {
-    (0..scene.balls.len()).filter(|&ball| scene.balls[ball].state.motion != Motion::Pocketed)
+    (0..scene.balls.len()).filter(|&ball| scene.balls[ball].state.motion.in_play())
 }
 
 /// Whether a ball that rolls straight from one ball to another meets no third ball first.

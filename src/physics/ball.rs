@@ -66,8 +66,12 @@ pub enum Motion {
     Gliding,
     /// Off the slate, in free flight.
     Airborne,
+    /// Rolls over the rounded edge of a pocket.
+    Tipping,
     /// In a pocket: out of play.
     Pocketed,
+    /// Has left the table: out of play.
+    OffTable,
 }
 
 impl Motion {
@@ -76,14 +80,26 @@ impl Motion {
     pub fn translates(self) -> bool {
         matches!(
             self,
-            Self::Rolling | Self::Sliding | Self::Gliding | Self::Airborne
+            Self::Rolling | Self::Sliding | Self::Gliding | Self::Airborne | Self::Tipping
         )
     }
 
     /// Whether the ball is still on the table, moving or not.
     #[must_use]
     pub fn in_play(self) -> bool {
-        self != Self::Pocketed
+        !matches!(self, Self::Pocketed | Self::OffTable)
+    }
+
+    /// Whether the ball is off the flat of the slate: it falls, and meets things in space and not in plan.
+    #[must_use]
+    pub fn flies(self) -> bool {
+        matches!(self, Self::Airborne | Self::Tipping)
+    }
+
+    /// Whether nothing of the ball moves, in play or not.
+    #[must_use]
+    pub fn is_still(self) -> bool {
+        matches!(self, Self::Rest | Self::Pocketed | Self::OffTable)
     }
 }
 

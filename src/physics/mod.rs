@@ -3,6 +3,7 @@
 //! Frame: y is up and zero on the slate, x runs along the table towards the foot, z across it; the origin is the
 //! middle of the playing surface. A resting ball's centre is at y = R. Angular velocity is right-handed.
 
+pub mod airborne;
 pub mod ball;
 pub mod contact;
 pub mod cue;

@@ -32,6 +32,15 @@ pub enum EventKind {
         /// Index of the cushion in the table.
         cushion: usize,
     },
+    /// A ball came down on the slate.
+    Slate,
+    /// A falling ball met the rim or the liner of a pocket.
+    Rim {
+        /// Index of the pocket in the table.
+        pocket: usize,
+    },
+    /// A ball left the table.
+    OffTable,
     /// A pocket took a ball.
     Pocketed {
         /// Index of the pocket in the table.

@@ -2,7 +2,6 @@
 
 use bevy::prelude::*;
 
-use crate::physics::ball::Motion;
 use crate::physics::record::{Event, EventKind, Participant, PathPiece};
 use crate::physics::scene::{Solver, strike_with};
 use crate::sim::SimSystems;
@@ -94,12 +93,11 @@ pub(super) fn strike(
     let Some(strike) = strikes.read().last().copied() else {
         return;
     };
-    let still = |motion: Motion| matches!(motion, Motion::Rest | Motion::Pocketed);
-    if balls.iter().any(|ball| !still(ball.6.0)) {
+    if balls.iter().any(|ball| !ball.6.0.is_still()) {
         return;
     }
     for (index, position, mut velocity, mut spin, mass, radius, mut motion) in &mut balls {
-        if index.0 != strike.ball || motion.0 == Motion::Pocketed {
+        if index.0 != strike.ball || !motion.0.in_play() {
             continue;
         }
         let (ball, before) =
@@ -122,7 +120,7 @@ pub(super) fn strike(
             ball: index.0,
             piece: PathPiece {
                 time: 0.0,
-                piece: playfield.laws.motion.piece(&ball, &after),
+                piece: playfield.laws.piece(&playfield.table, &ball, &after),
             },
         });
         struck.write(Struck(Event {
@@ -147,11 +145,7 @@ pub(super) fn rest(
     balls: Query<&MotionKind>,
     mut at_rest: MessageWriter<AtRest>,
 ) {
-    if clock.moving
-        && balls
-            .iter()
-            .all(|motion| matches!(motion.0, Motion::Rest | Motion::Pocketed))
-    {
+    if clock.moving && balls.iter().all(|motion| motion.0.is_still()) {
         clock.moving = false;
         at_rest.write(AtRest { time: clock.time() });
     }

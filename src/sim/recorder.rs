@@ -2,7 +2,7 @@
 
 use bevy::prelude::*;
 
-use crate::physics::ball::{Motion, State};
+use crate::physics::ball::State;
 use crate::physics::record::{EndReason, Event, Participant, PathPiece, Record};
 use crate::physics::scene::Scene;
 use crate::sim::SimSystems;
@@ -39,6 +39,7 @@ impl Recorder {
             };
         }
         let motion = &scene.laws.motion;
+        let (laws, table) = (&scene.laws, &scene.table);
         let states = scene
             .balls
             .iter()
@@ -50,7 +51,7 @@ impl Recorder {
                 .map(|(ball, state)| {
                     vec![PathPiece {
                         time: 0.0,
-                        piece: motion.piece(&ball, &state),
+                        piece: laws.piece(table, &ball, &state),
                     }]
                 })
                 .collect(),
@@ -118,7 +119,7 @@ fn remember(
     balls: BallQuery,
     kinds: Query<&MotionKind>,
 ) {
-    let still = |kind: &MotionKind| matches!(kind.0, Motion::Rest | Motion::Pocketed);
+    let still = |kind: &MotionKind| kind.0.is_still();
     if kinds.iter().all(still) && !balls.is_empty() {
         *recorder = Recorder::start(&snapshot(&playfield, &balls));
     }
@@ -187,7 +188,7 @@ fn record(
                 index.0,
                 PathPiece {
                     time: clock.time(),
-                    piece: playfield.laws.motion.piece(&ball, &state),
+                    piece: playfield.laws.piece(&playfield.table, &ball, &state),
                 },
             );
         }

@@ -184,36 +184,29 @@ fn the_parts_of_the_coursework_do_what_they_say() {
     assert!(turned > 0.1, "turned by the sine {turned}");
 }
 
+/// Velocity with which the first ball that rolls begins to roll.
+fn first_roll(record: &Record) -> glam::DVec3 {
+    let mut afters = record.events.iter().map(|event| event.first.after);
+    afters
+        .find(|after| after.motion == Motion::Rolling)
+        .expect("it rolls")
+        .velocity
+}
+
 #[test]
 fn the_real_spin_shots_do_what_they_say() {
     // Steep back spin brings a lone ball back past its start (closed form: it rolls back at 0.3385 m/s).
     let (scene, record) = played("real-backspin");
-    let rolls = record.events.iter().find(|e| {
-        matches!(
-            e.kind,
-            EventKind::Motion {
-                to: Motion::Rolling,
-                ..
-            }
-        )
-    });
-    let back = rolls.expect("it rolls").first.after.velocity;
+    let rolls = first_roll(&record);
+    let back = rolls;
     assert!(
         (back.x - 0.3385).abs() < 1e-3
             && scene.balls[0].state.position.x < record.end[0].position.x
     );
     // English under a raised cue ends 16.10 degrees to the right: tan = a tan t.
     let (_, record) = played("real-side-curve");
-    let rolls = record.events.iter().find(|e| {
-        matches!(
-            e.kind,
-            EventKind::Motion {
-                to: Motion::Rolling,
-                ..
-            }
-        )
-    });
-    let along = rolls.expect("it rolls").first.after.velocity;
+    let rolls = first_roll(&record);
+    let along = rolls;
     assert!(
         (along.z / along.x - 0.5 * libm::tan(30.0_f64.to_radians())).abs() < 1e-4,
         "{along}"

@@ -3,7 +3,7 @@
 
 use glam::{DVec2, DVec3};
 
-use crate::physics::ball::{Motion, State};
+use crate::physics::ball::State;
 use crate::physics::exact::cells::Neighbours;
 use crate::physics::exact::engine::Engine;
 use crate::physics::exact::predict::Partner;
@@ -105,8 +105,8 @@ impl Engine {
         let closing = (one.velocity - two.velocity).dot(normal);
         // Written so that what is not a number goes the general way.
         if !(closing >= SLOW && overlap <= DEEP)
-            || one.motion == Motion::Airborne
-            || two.motion == Motion::Airborne
+            || one.motion.flies()
+            || two.motion.flies()
         {
             return None;
         }

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::physics::ball::{Ball, Motion, State};
+use crate::physics::ball::{Ball, State};
 use crate::physics::contact::Track;
 use crate::physics::cue::{Cue, Shot};
 use crate::physics::exact::cells::Cells;
@@ -138,10 +138,8 @@ impl Engine {
     /// Whether no ball moves or spins.
     #[must_use]
     pub fn is_at_rest(&self) -> bool {
-        let rests =
-            |path: &PathPiece| matches!(path.piece.start.motion, Motion::Rest | Motion::Pocketed);
         let mut balls = self.flights.iter().zip(&self.paths);
-        balls.all(|(flight, path)| !flight.plain && rests(path))
+        balls.all(|(flight, path)| !flight.plain && path.piece.start.motion.is_still())
     }
 
     /// Whether a ball leans on something: it has touched the same thing within the last two contact times and is slow.
@@ -258,7 +256,7 @@ impl Engine {
         let count = old.count.wrapping_add(1);
         let path = PathPiece {
             time: self.clock,
-            piece: self.laws.motion.piece(body, &state),
+            piece: self.laws.piece(&self.table, body, &state),
         };
         self.paths[ball] = path;
         self.flights[ball] = Flight::new(body, &path, count);

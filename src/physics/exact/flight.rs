@@ -30,6 +30,7 @@ pub(super) struct Flight {
     /// It glides without spin for ever: there is no more to its path than is here.
     pub(super) plain: bool,
     pub(super) moves: bool,
+    pub(super) flies: bool,
     pub(super) in_play: bool,
     pub(super) body: Ball,
     /// The next event found for it.
@@ -69,6 +70,7 @@ impl Flight {
                 && path.piece == Piece::uniform(*start)
                 && start.angular_velocity == DVec3::ZERO,
             moves: start.motion.translates(),
+            flies: start.motion.flies(),
             in_play: start.motion.in_play(),
             body: *body,
             next: Next::NEVER,

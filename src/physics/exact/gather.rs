@@ -2,6 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
+use crate::physics::ball::{Ball, State};
 use crate::physics::exact::cells::Neighbours;
 use crate::physics::exact::engine::Engine;
 use crate::physics::exact::predict::Partner;
@@ -42,7 +43,12 @@ impl Engine {
             });
         }
         // Divided, not multiplied by the reciprocal: a row along an axis has exactly that axis for its normals.
-        let flat = DVec3::new(offset.x, 0.0, offset.z);
+        let flies = one.state.motion.flies() || two.state.motion.flies();
+        let flat = if flies {
+            offset
+        } else {
+            DVec3::new(offset.x, 0.0, offset.z)
+        };
         let normal = flat / flat.length();
         self.cluster.contacts.push(Touching {
             first,
@@ -56,12 +62,24 @@ impl Engine {
         Ok(())
     }
 
+    /// Distance in plan from a nose line at which a ball touches it, at the height at which it is; -1 for one that
+    /// passes over it.
+    fn reach_of(&self, body: &Ball, state: &State) -> f64 {
+        let table = &self.table;
+        if !state.motion.flies() {
+            return table.reach(body.radius);
+        }
+        let (nose, height) = (&table.nose, table.nose_height);
+        nose.reach_at(height, body.radius, state.position.y)
+            .unwrap_or(-1.0)
+    }
+
     pub(super) fn touch_cushion(&mut self, first: usize, cushion: u32) -> Result<(), SolveError> {
         let member = &self.cluster.members[first];
         let position = member.state.position;
         let (distance, direction) =
             Walls::gap(&self.table, cushion, DVec2::new(position.x, position.z));
-        let overlap = self.table.reach(member.body.radius) - distance;
+        let overlap = self.reach_of(&member.body, &member.state) - distance;
         if overlap > DEEP {
             return Err(SolveError::Overlap {
                 ball: self.names[member.ball].clone(),
@@ -71,10 +89,16 @@ impl Engine {
             });
         }
         let index = cushion as usize;
+        let mut normal = -DVec3::new(direction.x, 0.0, direction.y);
+        if member.state.motion.flies() {
+            let (radius, height) = (member.body.radius, position.y);
+            let nose_height = self.table.nose_height;
+            normal = -self.table.nose.normal(-normal, nose_height, radius, height);
+        }
         self.cluster.contacts.push(Touching {
             first,
             against: Against::Cushion { cushion: index },
-            normal: -DVec3::new(direction.x, 0.0, direction.y),
+            normal,
             nose_height: self.laws.cushion.nose_height(
                 self.table.nose_height,
                 &member.body,
@@ -137,7 +161,7 @@ impl Engine {
         partner: Partner,
     ) -> Result<(), SolveError> {
         let member = &self.cluster.members[place];
-        let (ball, reach) = (member.ball, self.table.reach(member.body.radius));
+        let (ball, reach) = (member.ball, self.reach_of(&member.body, &member.state));
         let point = DVec2::new(member.state.position.x, member.state.position.z);
         let here = Area {
             least: point,

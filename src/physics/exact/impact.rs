@@ -105,7 +105,7 @@ impl Engine {
     fn classify(&mut self) {
         for (member, before) in self.cluster.members.iter_mut().zip(&self.before) {
             if member.state != *before {
-                member.state = self.laws.motion.classify(&member.body, member.state);
+                member.state = self.laws.settled(&self.table, &member.body, &member.state);
                 stop(&self.laws.motion, member);
             }
         }
@@ -120,19 +120,16 @@ impl Engine {
             let mut parting = 0.0;
             if closing > -SLOW {
                 let first = &self.cluster.members[contact.first];
-                let mut press = self
-                    .laws
-                    .motion
-                    .piece(&first.body, &first.state)
-                    .acceleration;
+                let press_of = |member: &Member| {
+                    self.laws
+                        .piece(&self.table, &member.body, &member.state)
+                        .acceleration
+                };
+                let mut press = press_of(first);
                 let mut moves = first.state.motion.translates();
                 if let Against::Ball { member } = contact.against {
                     let second = &self.cluster.members[member];
-                    press -= self
-                        .laws
-                        .motion
-                        .piece(&second.body, &second.state)
-                        .acceleration;
+                    press -= press_of(second);
                     moves |= second.state.motion.translates();
                 }
                 if moves {

@@ -104,13 +104,17 @@ impl Engine {
         for (index, ball) in scene.balls.iter().enumerate() {
             self.names[index].clone_from(&ball.name);
             self.bodies[index] = ball.ball;
-            let state = scene.laws.motion.classify(&ball.ball, ball.state);
+            let mut state = scene.laws.motion.classify(&ball.ball, ball.state);
+            if !state.motion.flies() && state.motion.in_play() {
+                // Files round: on the slate is on the slate.
+                state.position.y = ball.ball.radius;
+            }
             if !state.is_finite() {
                 return Err(self.not_finite(index, state));
             }
             let path = PathPiece {
                 time: 0.0,
-                piece: scene.laws.motion.piece(&ball.ball, &state),
+                piece: scene.laws.piece(&scene.table, &ball.ball, &state),
             };
             self.paths.push(path);
             self.flights.push(Flight::new(&ball.ball, &path, 0));

@@ -21,6 +21,7 @@
 //! 0.2 m, 19 at 1 m, half a digit to a digit and a half. The 16 digits of f64 last some 12 long hits, or 60 to 100
 //! collisions of a break; after that the result is one of the possible ones, still with the same bits every time.
 
+mod air;
 mod alone;
 mod cells;
 mod engine;

@@ -1,5 +1,6 @@
 //! The next event of one ball.
 
+use crate::physics::airborne::Landing;
 use crate::physics::contact::{self, Track};
 use crate::physics::exact::cells::Neighbours;
 use crate::physics::exact::engine::Engine;
@@ -19,6 +20,8 @@ pub(super) enum Partner {
     Ball(u32),
     Cushion(u32),
     Pocket(u32),
+    /// What a ball in flight comes down on.
+    Landing(Landing),
     /// The ball enters this cell.
     Cell(u32),
 }
@@ -41,9 +44,9 @@ impl Next {
 }
 
 /// The best event so far of a search, `wait` seconds from now.
-struct Search {
-    wait: f64,
-    partner: Partner,
+pub(super) struct Search {
+    pub(super) wait: f64,
+    pub(super) partner: Partner,
     /// A ball that may touch.
     but: u32,
     /// Whether any other may touch; told for straight level paths only, of others the answer is true.
@@ -51,7 +54,7 @@ struct Search {
 }
 
 impl Search {
-    fn offer(&mut self, wait: Option<f64>, partner: Partner) {
+    pub(super) fn offer(&mut self, wait: Option<f64>, partner: Partner) {
         let Some(wait) = wait else { return };
         let first_named = match (partner, self.partner) {
             (Partner::Ball(new), Partner::Ball(old)) => new < old,
@@ -112,6 +115,9 @@ impl Engine {
         };
         let glide = flight.level.then(|| flight.glide(now));
         let track = self.seen(ball);
+        if flight.flies {
+            self.search_ground(ball, &track, &mut search)?;
+        }
         if flight.moves {
             if let Some(cells) = &self.cells {
                 let left = match &glide {
@@ -260,7 +266,11 @@ impl Engine {
         wall: Wall,
         search: &mut Search,
     ) -> Result<(), RootError> {
-        let reach = self.table.reach(self.flights[ball].radius);
+        let flight = &self.flights[ball];
+        if flight.flies {
+            return self.search_wall_in_flight(ball, track, wall, search);
+        }
+        let reach = self.table.reach(flight.radius);
         let wait = match wall {
             Wall::Cushion(index) => match &self.table.cushions[index as usize] {
                 Cushion::Line(line) => contact::line(track, line, reach, search.wait)?,
@@ -302,7 +312,8 @@ impl Engine {
             Partner::Motion => {
                 self.count_event(ball)?;
                 let before = self.state(ball);
-                let after = self.paths[ball].piece.end(&self.bodies[ball]);
+                let (table, body) = (&self.table, &self.bodies[ball]);
+                let after = self.laws.end(table, body, &self.paths[ball].piece);
                 self.set(ball, after, watch)?;
                 let kind = EventKind::Motion {
                     from: before.motion,
@@ -313,25 +324,16 @@ impl Engine {
             }
             Partner::Pocket(pocket) => {
                 self.count_event(ball)?;
-                let before = self.state(ball);
-                let after = self
-                    .laws
-                    .pocket
-                    .captured(&self.table.pockets[pocket as usize]);
-                self.set(ball, after, watch)?;
-                if let Some(cells) = &mut self.cells {
-                    cells.remove(ball as u32);
-                }
-                let kind = EventKind::Pocketed {
-                    pocket: pocket as usize,
-                };
-                watch.event(&self.lone(ball, kind, before, after));
-                self.predict(ball)
+                self.pass_edge(ball, pocket as usize, watch)
+            }
+            Partner::Landing(landing) => {
+                self.count_event(ball)?;
+                self.come_down(ball, landing, watch)
             }
         }
     }
 
-    fn lone(
+    pub(super) fn lone(
         &self,
         ball: usize,
         kind: EventKind,

@@ -89,7 +89,9 @@ impl Engine {
             }
             let path = PathPiece {
                 time: ball.since,
-                piece: engine.laws.motion.piece(&engine.bodies[index], &ball.start),
+                piece: engine
+                    .laws
+                    .piece(&engine.table, &engine.bodies[index], &ball.start),
             };
             engine.paths[index] = path;
             engine.flights[index] = Flight::new(&engine.bodies[index], &path, ball.count);

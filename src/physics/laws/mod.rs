@@ -12,12 +12,17 @@ pub mod motion;
 pub mod pocket;
 pub mod slate;
 
+use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
+use crate::physics::ball::{Ball, Motion, State};
+use crate::physics::table::{Ground, Pocket, Table};
+
 use ball_ball::BallBallLaw;
+use cluster::TOUCH;
 use cushion::CushionLaw;
-use motion::{Cloth, MotionLaw};
-use pocket::PocketLaw;
+use motion::{Cloth, MotionLaw, Piece};
+use pocket::{PocketLaw, Rim};
 use slate::SlateLaw;
 
 /// One choice of law per class. What is absent is not modelled and costs nothing.
@@ -37,19 +42,106 @@ pub struct Laws {
 }
 
 impl Default for Laws {
-    /// Pool as it is played: Coulomb cloth, Marlow's throw, Han's cushion.
+    /// Pool as it is played: Coulomb cloth, Marlow's throw, Han's cushion, a slate that bounces, pockets with an edge.
     fn default() -> Self {
         Self {
             motion: MotionLaw::Coulomb(Cloth::default()),
             ball_ball: BallBallLaw::Frictional(ball_ball::Frictional::default()),
             cushion: CushionLaw::Han2005(cushion::Han2005::default()),
-            slate: SlateLaw::default(),
-            pocket: PocketLaw::default(),
+            slate: SlateLaw::Bouncing(slate::Bouncing::default()),
+            pocket: PocketLaw::Rim(pocket::Rim::default()),
         }
     }
 }
 
 impl Laws {
+    /// The closed-form piece of path that starts with this state on this table.
+    #[must_use]
+    pub fn piece(&self, table: &Table, ball: &Ball, state: &State) -> Piece {
+        match self.tipping(table, state) {
+            Some((rim, gravity, pocket)) => rim.piece(gravity, pocket, ball, state),
+            None => self.motion.piece(ball, state),
+        }
+    }
+
+    /// The state at the end of a piece, with the next kind of motion.
+    #[must_use]
+    pub fn end(&self, table: &Table, ball: &Ball, piece: &Piece) -> State {
+        match self.tipping(table, &piece.start) {
+            Some((rim, gravity, pocket)) => rim.tipped(gravity, pocket, ball, piece),
+            None => piece.end(ball),
+        }
+    }
+
+    fn tipping<'t>(&self, table: &'t Table, state: &State) -> Option<(Rim, f64, &'t Pocket)> {
+        if state.motion != Motion::Tipping {
+            return None;
+        }
+        let PocketLaw::Rim(rim) = self.pocket else {
+            return None;
+        };
+        let point = DVec2::new(state.position.x, state.position.z);
+        let from =
+            |pocket: &Pocket| pocket.center.distance_squared(point) - pocket.radius * pocket.radius;
+        let nearest = |a: &&Pocket, b: &&Pocket| from(a).total_cmp(&from(b));
+        let pocket = table.pockets.iter().min_by(nearest)?;
+        Some((rim, self.motion.gravity()?, pocket))
+    }
+
+    /// The state of a ball on the slate whose centre passes the edge of a pocket: captured, tipping or falling.
+    #[must_use]
+    pub fn drop(&self, pocket: &Pocket, ball: &Ball, state: &State) -> State {
+        let (PocketLaw::Rim(rim), Some(gravity)) = (self.pocket, self.motion.gravity()) else {
+            return self.pocket.captured(pocket);
+        };
+        let mut state = *state;
+        state.motion = if rim.holds(gravity, pocket, ball, &state) {
+            Motion::Tipping
+        } else {
+            Motion::Airborne
+        };
+        state
+    }
+
+    /// A falling ball after it met the far side of the edge of a pocket, or else its wall or liner.
+    #[must_use]
+    pub fn rattle(&self, pocket: &Pocket, ball: &Ball, state: &State, on_edge: bool) -> State {
+        let mut after = match self.pocket {
+            PocketLaw::Rim(rim) if on_edge => rim.off_edge(&self.slate, pocket, ball, state),
+            PocketLaw::Rim(rim) => rim.off_wall(&self.slate, pocket, ball, state),
+            PocketLaw::Capture => *state,
+        };
+        after.motion = Motion::Airborne;
+        after
+    }
+
+    /// A ball after a blow, with the slate's answer and the label of motion that it deserves.
+    #[must_use]
+    pub fn settled(&self, table: &Table, ball: &Ball, state: &State) -> State {
+        let mut state = *state;
+        if state.motion == Motion::Tipping {
+            state.motion = Motion::Airborne;
+        }
+        let state = self.touch_down(table, ball, &state);
+        self.motion.classify(ball, state)
+    }
+
+    /// A ball after a blow: if it is pressed into the slate, or leaves it too slowly to fly, the slate answers.
+    fn touch_down(&self, table: &Table, ball: &Ball, state: &State) -> State {
+        let point = DVec2::new(state.position.x, state.position.z);
+        if state.velocity.y != 0.0
+            && (state.position.y - ball.radius).abs() <= TOUCH
+            && state.motion != Motion::Tipping
+            && table.ground(point) == Ground::Slate
+        {
+            let mut landed = self.slate.land(ball, state);
+            landed.position.y = ball.radius;
+            landed
+        } else {
+            *state
+        }
+    }
+
     /// No cloth, no friction, nothing lost: the ideal gas of billiard theory.
     #[must_use]
     pub fn ideal() -> Self {
@@ -74,11 +166,12 @@ impl Laws {
 
 impl Check for Laws {
     fn parameters(&self) -> Vec<Parameter> {
-        let classes: [(&str, Vec<Parameter>); 4] = [
+        let classes: [(&str, Vec<Parameter>); 5] = [
             ("motion", self.motion.parameters()),
             ("ball_ball", self.ball_ball.parameters()),
             ("cushion", self.cushion.parameters()),
             ("slate", self.slate.parameters()),
+            ("pocket", self.pocket.parameters()),
         ];
         classes
             .into_iter()

@@ -5,7 +5,6 @@ use std::fmt::{self, Display, Formatter};
 
 use glam::{DVec2, DVec3};
 
-use crate::physics::ball::Motion;
 use crate::physics::laws::Check;
 use crate::physics::scene::{Scene, SceneBall, SceneError, Solver};
 use crate::physics::table::Cushion;
@@ -225,7 +224,9 @@ impl Scene {
             if !in_play(ball) {
                 continue;
             }
-            if (position.y - radius).abs() > OVERLAP_TOLERANCE {
+            let height = position.y - radius;
+            let flies = height > OVERLAP_TOLERANCE && self.laws.motion.gravity().is_some();
+            if height.abs() > OVERLAP_TOLERANCE && !flies {
                 return Err(SceneError::OffSlate {
                     ball: name(),
                     height: position.y,
@@ -234,7 +235,11 @@ impl Scene {
             }
             let plan = DVec2::new(position.x, position.z);
             for (cushion, nose) in self.table.cushions.iter().enumerate() {
-                let overlap = self.table.reach(radius) - nose.nearest(plan).0;
+                let (profile, nose_height) = (&self.table.nose, self.table.nose_height);
+                let Some(reach) = profile.reach_at(nose_height, radius, position.y) else {
+                    continue;
+                };
+                let overlap = reach - nose.nearest(plan).0;
                 if overlap > OVERLAP_TOLERANCE {
                     return Err(SceneError::InsideCushion {
                         ball: name(),
@@ -246,7 +251,7 @@ impl Scene {
             let mut in_mouth = false;
             for pocket in &self.table.pockets {
                 let distance = (plan - pocket.center).length();
-                if distance < pocket.radius {
+                if distance < pocket.radius && !flies {
                     return Err(SceneError::OverPocket {
                         ball: name(),
                         pocket: pocket.name.clone(),
@@ -313,7 +318,7 @@ impl Scene {
 }
 
 fn in_play(ball: &SceneBall) -> bool {
-    ball.state.motion != Motion::Pocketed
+    ball.state.motion.in_play()
 }
 
 fn check_parameters(parent: &str, checked: &impl Check) -> Result<(), SceneError> {

@@ -1,10 +1,12 @@
 //! The table: cushions as lines and arcs, pockets as circles, all in plan.
 
 mod build;
+mod ground;
 mod nose;
 mod presets;
 
 pub use build::{Mouth, PocketedTable};
+pub use ground::{FLOOR, Ground, RAIL};
 pub use nose::Nose;
 pub use presets::Preset;
 

@@ -3,7 +3,7 @@
 use glam::DVec2;
 use svg::node::element::{Group, Path, Text};
 
-use crate::physics::ball::{Motion, State};
+use crate::physics::ball::State;
 use crate::physics::scene::Scene;
 use crate::report::picture::table::disc;
 use crate::report::picture::{Page, layer, line_of_text, number};
@@ -37,7 +37,7 @@ pub(super) fn colour(name: &str, index: usize) -> (&'static str, bool) {
 pub(super) fn starts(page: &Page, scene: &Scene) -> Group {
     let mut group = layer("start").set("opacity", 0.4);
     for (i, ball) in scene.balls.iter().enumerate() {
-        if ball.state.motion != Motion::Pocketed {
+        if ball.state.motion.in_play() {
             let radius = page.length(ball.ball.radius);
             group = drawn(group, &ball.name, i, page.place(&ball.state), radius);
         }
@@ -49,7 +49,7 @@ pub(super) fn starts(page: &Page, scene: &Scene) -> Group {
 pub(super) fn ends(page: &Page, scene: &Scene, end: &[State]) -> Group {
     let mut group = layer("end");
     for (i, (ball, state)) in scene.balls.iter().zip(end).enumerate() {
-        if state.motion != Motion::Pocketed {
+        if state.motion.in_play() {
             let radius = page.length(ball.ball.radius);
             group = drawn(group, &ball.name, i, page.place(state), radius);
         }

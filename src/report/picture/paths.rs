@@ -3,7 +3,7 @@
 use glam::DVec2;
 use svg::node::element::{Circle, Group, Polyline};
 
-use crate::physics::ball::{Motion, State};
+use crate::physics::ball::State;
 use crate::physics::record::{Event, EventKind};
 use crate::physics::scene::Scene;
 use crate::report::picture::balls::colour;
@@ -27,7 +27,7 @@ pub(super) fn draw(page: &Page, scene: &Scene, trails: &[Vec<State>]) -> Group {
     for (i, (trail, ball)) in trails.iter().zip(&scene.balls).enumerate() {
         let mut points: Vec<DVec2> = std::iter::once(&ball.state)
             .chain(trail)
-            .filter(|state| state.motion != Motion::Pocketed)
+            .filter(|state| state.motion.in_play())
             .map(|state| page.place(state))
             .collect();
         points.dedup();
@@ -76,7 +76,9 @@ pub(super) fn marks(page: &Page, scene: &Scene, events: &[Event]) -> Group {
             }
             EventKind::Cushion { .. } => group.add(disc(place, 0.14 * radius, "#ffb27a")),
             EventKind::Pocketed { .. } => group.add(ring(place, 0.5 * radius, "#ff6b6b")),
-            EventKind::Motion { .. } => group,
+            EventKind::Motion { .. } | EventKind::Rim { .. } => group,
+            EventKind::Slate => group.add(disc(place, 0.1 * radius, "#ffff66")),
+            EventKind::OffTable => group.add(ring(place, 0.5 * radius, "#ffff66")),
         };
     }
     group

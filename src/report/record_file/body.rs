@@ -153,6 +153,11 @@ impl<'s> Body<'s> {
                 miscue: line.get("miscue")?.read()?,
             }),
             "ball_ball" => Ok(EventKind::BallBall),
+            "slate" => Ok(EventKind::Slate),
+            "off_table" => Ok(EventKind::OffTable),
+            "rim" => Ok(EventKind::Rim {
+                pocket: self.pocket(line)?,
+            }),
             "cushion" => {
                 let field = line.get("cushion")?;
                 let (cushion, count) = (field.read()?, self.scene.table.cushions.len());
@@ -163,22 +168,26 @@ impl<'s> Body<'s> {
                 }
                 Ok(EventKind::Cushion { cushion })
             }
-            "pocketed" => {
-                let field = line.get("pocket")?;
-                let name: &str = field.read()?;
-                let pocket = self.pockets.get(name).copied().ok_or_else(|| {
-                    field.problem(format!("there is no pocket `{name}` on the table"))
-                })?;
-                Ok(EventKind::Pocketed { pocket })
-            }
+            "pocketed" => Ok(EventKind::Pocketed {
+                pocket: self.pocket(line)?,
+            }),
             "motion" => Ok(EventKind::Motion {
                 from: line.get("from")?.read()?,
                 to: line.get("to")?.read()?,
             }),
             other => Err(kind.problem(format!(
-                "`{other}` is not known, there are strike, ball_ball, cushion, pocketed and motion"
+                "`{other}` is not known, there are strike, ball_ball, cushion, slate, rim, pocketed, off_table and motion"
             ))),
         }
+    }
+
+    fn pocket(&self, line: &Field) -> Result<usize, Problem> {
+        let field = line.get("pocket")?;
+        let name: &str = field.read()?;
+        self.pockets
+            .get(name)
+            .copied()
+            .ok_or_else(|| field.problem(format!("there is no pocket `{name}` on the table")))
     }
 
     fn participant(&self, line: &Field, place: usize) -> Result<Participant, Problem> {

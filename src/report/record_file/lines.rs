@@ -67,7 +67,8 @@ impl<'a> EventLine<'a> {
         };
         match event.kind {
             EventKind::Strike { miscue } => line.miscue = Some(miscue),
-            EventKind::BallBall => {}
+            EventKind::BallBall | EventKind::Slate | EventKind::OffTable => {}
+            EventKind::Rim { pocket } => line.pocket = Some(pocket_name(scene, pocket)),
             EventKind::Cushion { cushion } => line.cushion = Some(cushion),
             EventKind::Pocketed { pocket } => line.pocket = Some(pocket_name(scene, pocket)),
             EventKind::Motion { from, to } => (line.from, line.to) = (Some(from), Some(to)),
@@ -117,6 +118,9 @@ pub(super) fn kind(kind: &EventKind) -> &'static str {
     match kind {
         EventKind::Strike { .. } => "strike",
         EventKind::BallBall => "ball_ball",
+        EventKind::Slate => "slate",
+        EventKind::Rim { .. } => "rim",
+        EventKind::OffTable => "off_table",
         EventKind::Cushion { .. } => "cushion",
         EventKind::Pocketed { .. } => "pocketed",
         EventKind::Motion { .. } => "motion",

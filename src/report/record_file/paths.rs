@@ -40,7 +40,9 @@ pub(super) fn of_events(scene: &Scene, events: &[Event]) -> Vec<Vec<PathPiece>> 
 pub(super) fn piece(scene: &Scene, ball: usize, time: f64, start: &State) -> PathPiece {
     PathPiece {
         time,
-        piece: scene.laws.motion.piece(&scene.balls[ball].ball, start),
+        piece: scene
+            .laws
+            .piece(&scene.table, &scene.balls[ball].ball, start),
     }
 }
 

@@ -270,7 +270,7 @@ fn a_bad_ball_is_named_with_its_field_and_value() {
         ("radius: NaN", "balls[1] (`1`).radius: NaN"),
         ("velocity: (0, 0, -inf)", "balls[1] (`1`).velocity.z: -inf"),
         ("spin: (NaN, 0, 0)", "balls[1] (`1`).spin.x: NaN"),
-        ("height: 0.5", "`1`: position.y is 0.5"),
+        ("height: 0.02", "`1`: position.y is 0.02"),
     ];
     for (field, part) in cases {
         let text = format!(

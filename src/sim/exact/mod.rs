@@ -108,7 +108,12 @@ fn tell(
             EventKind::Motion { .. } => {
                 changed.write(MotionChanged(event));
             }
-            EventKind::BallBall | EventKind::Cushion { .. } | EventKind::Strike { .. } => {
+            EventKind::BallBall
+            | EventKind::Cushion { .. }
+            | EventKind::Slate
+            | EventKind::Rim { .. }
+            | EventKind::OffTable
+            | EventKind::Strike { .. } => {
                 touched.write(Touched(event));
             }
         }

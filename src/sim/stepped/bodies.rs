@@ -5,7 +5,7 @@ use glam::DVec2;
 
 use crate::physics::ball::{Ball, State};
 use crate::physics::contact::Track;
-use crate::physics::laws::motion::{MotionLaw, Piece};
+use crate::physics::laws::motion::Piece;
 use crate::physics::scene::{Solver, Stepped};
 use crate::sim::clock::Clock;
 use crate::sim::components::{
@@ -55,13 +55,17 @@ impl Body {
         self.piece.start.motion.in_play()
     }
 
+    pub fn flies(&self) -> bool {
+        self.piece.start.motion.flies()
+    }
+
     pub fn translates(&self) -> bool {
         self.piece.start.motion.translates()
     }
 
     /// Puts the ball on the path that starts with this state.
-    pub fn follow(&mut self, law: &MotionLaw, state: &State, time: f64) {
-        self.piece = law.piece(&self.ball, state);
+    pub fn follow(&mut self, playfield: &Playfield, state: &State, time: f64) {
+        self.piece = playfield.laws.piece(&playfield.table, &self.ball, state);
         self.since = time;
         self.version += 1;
     }
@@ -121,7 +125,7 @@ pub(super) fn gather(
     let Solver::Stepped(Stepped { tick, locate, .. }) = playfield.solver else {
         return;
     };
-    let law = &playfield.laws.motion;
+    let (laws, table) = (&playfield.laws, &playfield.table);
     bodies.tick = tick;
     bodies.start = clock.time();
     bodies.locate = locate;
@@ -133,7 +137,7 @@ pub(super) fn gather(
                 entity,
                 index: index.0,
                 ball,
-                piece: law.piece(&ball, &state),
+                piece: laws.piece(table, &ball, &state),
                 since: 0.0,
                 version: 0,
                 impacts: 0,

@@ -18,7 +18,7 @@ pub(super) fn collide_cushions(
     playfield: Res<Playfield>,
 ) {
     for ball in 0..bodies.all.len() {
-        find(&grid, &bodies, &mut contacts, &playfield.table, ball, 0.0);
+        find(&grid, &bodies, &mut contacts, &playfield, ball, 0.0);
     }
 }
 
@@ -27,19 +27,23 @@ pub(super) fn find(
     grid: &Grid,
     bodies: &Bodies,
     contacts: &mut Contacts,
-    table: &Table,
+    playfield: &Playfield,
     ball: usize,
     time: f64,
 ) {
+    let table = &playfield.table;
     let body = &bodies.all[ball];
     if !body.translates() {
         return;
+    }
+    if body.flies() {
+        contacts.find_ground(bodies, playfield, ball, time);
     }
     grid.cushions(table, &body.cells, |cushion| {
         contacts.find_cushion(bodies, table, ball, cushion, time);
     });
     grid.pockets(table, &body.cells, |pocket| {
-        contacts.find_pocket(bodies, table, ball, pocket, time);
+        contacts.find_pocket(bodies, playfield, ball, pocket, time);
     });
 }
 

@@ -5,9 +5,11 @@ use std::collections::BinaryHeap;
 
 use bevy::prelude::*;
 
-use crate::physics::contact;
+use crate::physics::airborne::{self, Landing};
+use crate::physics::contact::{self, flight};
 use crate::physics::roots::RootError;
 use crate::physics::table::{Cushion, Table};
+use crate::sim::playfield::Playfield;
 use crate::sim::stepped::bodies::{Bodies, Body};
 use crate::sim::stepped::collide_cushions::beyond;
 
@@ -16,8 +18,10 @@ use crate::sim::stepped::collide_cushions::beyond;
 pub(super) enum Kind {
     /// Its kind of motion changes.
     Change,
-    /// It falls into a pocket.
+    /// Its centre passes the edge of a pocket.
     Pocket(usize),
+    /// In flight it comes down on something.
+    Landing(Landing),
     /// It meets a cushion.
     Cushion(usize),
     /// It meets another ball, at the version of its path given.
@@ -127,7 +131,12 @@ impl Contacts {
         let body = &bodies.all[ball];
         let (track, reach) = (body.track(time), table.reach(body.ball.radius));
         let left = (bodies.horizon(time).min(body.change()) - time).max(0.0);
-        let met = match &table.cushions[cushion] {
+        let what = &table.cushions[cushion];
+        let met = match what {
+            _ if body.flies() => {
+                let nose = (what, &table.nose, table.nose_height);
+                flight::nose(&track, nose, body.ball.radius, left)
+            }
             Cushion::Line(line) if !bodies.locate => Ok(beyond(table, line, &track, reach)),
             Cushion::Line(line) => contact::line(&track, line, reach, left),
             Cushion::Arc(arc) => contact::arc(&track, arc, reach, left),
@@ -141,16 +150,56 @@ impl Contacts {
     pub(super) fn find_pocket(
         &mut self,
         bodies: &Bodies,
-        table: &Table,
+        playfield: &Playfield,
         ball: usize,
         pocket: usize,
         time: f64,
     ) {
+        let (table, laws) = (&playfield.table, &playfield.laws);
         let body = &bodies.all[ball];
         let left = (bodies.horizon(time).min(body.change()) - time).max(0.0);
+        if body.flies() {
+            let what = (body.ball.radius, body.piece.start.motion);
+            let met = airborne::pocket(table, laws, pocket, what, &body.track(time), left);
+            self.land(bodies, ball, met, time);
+            return;
+        }
         let met = contact::pocket(&body.track(time), &table.pockets[pocket], left);
         if let Some(met) = self.found(ball, met) {
             self.push(body, ball, Kind::Pocket(pocket), time + met);
+        }
+    }
+
+    /// Finds when a ball in flight comes down on slate, rail or floor.
+    pub(super) fn find_ground(
+        &mut self,
+        bodies: &Bodies,
+        playfield: &Playfield,
+        ball: usize,
+        time: f64,
+    ) {
+        let (table, laws) = (&playfield.table, &playfield.laws);
+        let body = &bodies.all[ball];
+        let left = (bodies.horizon(time).min(body.change()) - time).max(0.0);
+        let met = airborne::ground(table, laws, body.ball.radius, &body.track(time), left);
+        self.land(bodies, ball, met, time);
+    }
+
+    fn land(
+        &mut self,
+        bodies: &Bodies,
+        ball: usize,
+        met: Result<Option<(f64, Landing)>, RootError>,
+        time: f64,
+    ) {
+        match met {
+            Ok(None) => {}
+            Ok(Some((met, landing))) => {
+                self.push(&bodies.all[ball], ball, Kind::Landing(landing), time + met);
+            }
+            Err(error) => {
+                self.failure.get_or_insert((ball, error));
+            }
         }
     }
 

@@ -2,6 +2,7 @@
 
 use bevy::prelude::*;
 
+use crate::physics::airborne;
 use crate::physics::ball::State;
 use crate::physics::laws::ball_ball::PairContact;
 use crate::physics::laws::cushion::CushionContact;
@@ -106,7 +107,7 @@ fn look_ahead(
             contacts.find_pair(bodies, ball, other, time);
         }
     });
-    collide_cushions::find(grid, bodies, contacts, &playfield.table, ball, time);
+    collide_cushions::find(grid, bodies, contacts, playfield, ball, time);
 }
 
 /// Applies the law of a contact and puts the balls on their new paths.
@@ -132,7 +133,7 @@ fn happen(bodies: &mut Bodies, playfield: &Playfield, contact: &Contact) -> Even
     };
     match kind {
         Kind::Change => {
-            let after = bodies.all[ball].piece.end(&body);
+            let after = laws.end(table, &body, &bodies.all[ball].piece);
             event.kind = EventKind::Motion {
                 from: before.motion,
                 to: after.motion,
@@ -140,8 +141,16 @@ fn happen(bodies: &mut Bodies, playfield: &Playfield, contact: &Contact) -> Even
             event.first.after = after;
         }
         Kind::Pocket(pocket) => {
-            event.kind = EventKind::Pocketed { pocket };
-            event.first.after = laws.pocket.captured(&table.pockets[pocket]);
+            (event.kind, event.first.after) =
+                airborne::pass_edge(table, laws, &body, &before, pocket);
+        }
+        Kind::Landing(landing) => {
+            let (kind, after) = airborne::land(table, laws, &body, &before, landing);
+            event.kind = kind;
+            event.first.after = after;
+            if let EventKind::Slate | EventKind::Rim { .. } = kind {
+                event.impulse = body.mass * (after.velocity - before.velocity).length();
+            }
         }
         Kind::Cushion(cushion) => {
             let plan = glam::DVec2::new(before.position.x, before.position.z);
@@ -162,7 +171,7 @@ fn happen(bodies: &mut Bodies, playfield: &Playfield, contact: &Contact) -> Even
             );
             event.kind = EventKind::Cushion { cushion };
             event.impulse = rebound.impulse;
-            event.first.after = laws.motion.classify(&body, rebound.state);
+            event.first.after = laws.settled(table, &body, &rebound.state);
             bodies.all[ball].impacts += 1;
         }
         Kind::Ball(other, _) => {
@@ -174,8 +183,8 @@ fn happen(bodies: &mut Bodies, playfield: &Playfield, contact: &Contact) -> Even
                 laws.ball_ball
                     .collide((&body, &before), (&second_body, &second), &meeting);
             event.impulse = outcome.impulse;
-            event.first.after = laws.motion.classify(&body, outcome.first);
-            let after = laws.motion.classify(&second_body, outcome.second);
+            event.first.after = laws.settled(table, &body, &outcome.first);
+            let after = laws.settled(table, &second_body, &outcome.second);
             event.second = Some(Participant {
                 ball: bodies.all[other].index,
                 before: second,
@@ -191,5 +200,5 @@ fn happen(bodies: &mut Bodies, playfield: &Playfield, contact: &Contact) -> Even
 }
 
 fn follow(bodies: &mut Bodies, playfield: &Playfield, ball: usize, state: &State, time: f64) {
-    bodies.all[ball].follow(&playfield.laws.motion, state, time);
+    bodies.all[ball].follow(playfield, state, time);
 }

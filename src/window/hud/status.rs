@@ -37,7 +37,7 @@ pub(super) fn show(
         parts.push(aimed(&aim));
         if balls
             .iter()
-            .any(|ball| ball.0.0 == aim.ball && ball.2.0 == Motion::Pocketed)
+            .any(|ball| ball.0.0 == aim.ball && !ball.2.0.in_play())
         {
             parts.push("the cue ball is in a pocket: I brings it back".to_owned());
         }

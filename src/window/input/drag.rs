@@ -126,7 +126,7 @@ fn under(pointer: &Pointer, balls: &Balls) -> Option<Held> {
     let (origin, direction) = pointer.ray()?;
     balls
         .iter()
-        .filter(|ball| ball.3.0 != ball::Motion::Pocketed)
+        .filter(|ball| ball.3.0.in_play())
         .filter_map(|(index, position, radius, _)| {
             let to = position.0 - origin;
             let depth = to.dot(direction);

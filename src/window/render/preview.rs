@@ -67,7 +67,7 @@ fn path(lines: &mut Gizmos<Strokes>, record: &Record, ball: usize, radius: f32) 
     let mut points = Vec::new();
     for (i, piece) in pieces.iter().enumerate() {
         let motion = piece.piece.start.motion;
-        if motion == Motion::Pocketed {
+        if !motion.in_play() {
             break;
         }
         let until = pieces.get(i + 1).map_or(record.end_time, |next| next.time);
@@ -86,7 +86,7 @@ fn path(lines: &mut Gizmos<Strokes>, record: &Record, ball: usize, radius: f32) 
     }
     strip(lines, points);
     let end = &record.end[ball];
-    if end.motion != Motion::Pocketed {
+    if end.motion.in_play() {
         let at = end.position.as_vec3().with_y(HEIGHT);
         let flat = Quat::from_rotation_x(std::f32::consts::FRAC_PI_2);
         lines.circle(

@@ -82,6 +82,9 @@ fn line<'a>(desk: &Desk, event: &Event, name: &impl Fn(usize) -> &'a str) -> Str
     let who = name(event.first.ball);
     let what = match event.kind {
         EventKind::Strike { .. } => format!("cue strikes {who}"),
+        EventKind::Slate => format!("{who} lands"),
+        EventKind::Rim { .. } => format!("{who} on the rim"),
+        EventKind::OffTable => format!("{who} leaves the table"),
         EventKind::BallBall => {
             let other = event.second.map_or("?", |second| name(second.ball));
             format!("{who} and {other}")

@@ -158,6 +158,8 @@ fn hit(event: &Event) -> Option<Hit> {
         EventKind::BallBall => (Sound::Balls, event.impulse),
         EventKind::Cushion { .. } => (Sound::Cushion, event.impulse),
         EventKind::Pocketed { .. } => (Sound::Pocket, DROPPED * (0.3 + before.velocity.length())),
+        EventKind::Slate | EventKind::OffTable => (Sound::Cushion, event.impulse),
+        EventKind::Rim { .. } => (Sound::Pocket, event.impulse),
         EventKind::Motion { .. } => return None,
     };
     Some(Hit {

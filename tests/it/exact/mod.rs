@@ -1,10 +1,12 @@
 //! The exact solver, judged by whole simulations.
 
 mod clusters;
+mod flight;
 mod free_paths;
 mod grazing;
 mod impacts;
 mod live;
+mod pockets;
 mod random_shots;
 mod resting;
 
@@ -73,13 +75,12 @@ pub fn first_hit(record: &Record) -> (State, State) {
     }
 }
 
-/// Kinetic energy of all balls at one time.
+/// Kinetic and potential energy of all balls at one time.
 pub fn energy(scene: &Scene, record: &Record, time: f64) -> f64 {
     (0..scene.balls.len())
         .map(|ball| {
-            scene.balls[ball]
-                .ball
-                .kinetic_energy(&record.state_at(ball, time))
+            let (body, state) = (scene.balls[ball].ball, record.state_at(ball, time));
+            body.kinetic_energy(&state) + body.mass * 9.81 * (state.position.y - body.radius)
         })
         .sum()
 }

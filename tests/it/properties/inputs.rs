@@ -164,6 +164,7 @@ pub fn slate_law() -> impl Strategy<Value = SlateLaw> {
             _ if !vary => {}
             SlateLaw::Held => {}
             SlateLaw::Rubbed { friction } => *friction = mu,
+            SlateLaw::Bouncing(bouncing) => bouncing.friction = mu,
         }
         allowed(law)
     })

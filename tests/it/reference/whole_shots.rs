@@ -11,6 +11,8 @@ use masse::physics::laws::Laws;
 use masse::physics::laws::ball_ball::{BallBallLaw, Friction, Frictional, Frictionless, PeerCap};
 use masse::physics::laws::cushion::{CushionLaw, Inclination, Mirror, Stronge2018};
 use masse::physics::laws::motion::{Cloth, MotionLaw};
+use masse::physics::laws::pocket::PocketLaw;
+use masse::physics::laws::slate::SlateLaw;
 use masse::physics::record::{Event, EventKind};
 use masse::physics::scene::{Scene, SceneBall, Solver};
 use masse::physics::table::{Arc, Cushion, Line, Nose, Pocket, Table};
@@ -202,7 +204,8 @@ impl File {
             }),
             ball_ball,
             cushion,
-            ..Laws::default()
+            slate: SlateLaw::Held,
+            pocket: PocketLaw::Capture,
         }
     }
 
@@ -252,6 +255,8 @@ fn ours(event: &Event, scene: &Scene, table: &PeerTable) -> Option<Entry> {
     let what = match event.kind {
         EventKind::Strike { .. } => return None,
         EventKind::BallBall => format!("ball_ball {} {}", who[0].0, who[1].0),
+        // The peer's tables are flat.
+        EventKind::Slate | EventKind::Rim { .. } | EventKind::OffTable => return None,
         EventKind::Cushion { cushion } => match table.linear.get(cushion) {
             Some(line) => format!("ball_linear_cushion {first} {}", line.id),
             None => format!(

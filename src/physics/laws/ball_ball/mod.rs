@@ -35,8 +35,7 @@ impl PairContact {
     /// The contact of two balls at these positions.
     #[must_use]
     pub fn between(first: &State, second: &State) -> Self {
-        let on_slate = first.motion != crate::physics::ball::Motion::Airborne
-            && second.motion != crate::physics::ball::Motion::Airborne;
+        let on_slate = !first.motion.flies() && !second.motion.flies();
         let mut offset = second.position - first.position;
         let mut approach = first.velocity - second.velocity;
         if on_slate {

@@ -42,7 +42,7 @@ pub struct Touching {
     pub first: usize,
     /// What it touches.
     pub against: Against,
-    /// Horizontal unit vector from the ball to what it touches.
+    /// Unit vector from the ball to what it touches; horizontal for balls on the slate.
     pub normal: DVec3,
     /// Height of the nose in m, for a cushion.
     pub nose_height: f64,

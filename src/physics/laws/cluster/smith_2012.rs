@@ -142,7 +142,7 @@ impl Cluster {
                 let second = self.members[member];
                 let geometry = PairContact {
                     normal: contact.normal,
-                    on_slate: true,
+                    on_slate: !first.state.motion.flies() && !second.state.motion.flies(),
                     restitution,
                 };
                 let outcome = laws.ball_ball.collide(
@@ -155,8 +155,9 @@ impl Cluster {
                 outcome.impulse
             }
             Against::Cushion { .. } => {
+                let away = -contact.normal;
                 let geometry = CushionContact {
-                    normal: -contact.normal,
+                    normal: DVec3::new(away.x, 0.0, away.z).normalize_or_zero(),
                     nose_height: contact.nose_height,
                     nose: contact.nose,
                     restitution,

@@ -82,10 +82,18 @@ impl Check for Cloth {
 /// Slip below this fraction of the speeds it is the difference of is rounding, not slip.
 const SLIP_ROUNDING: f64 = 1e-13;
 
+/// A ball whose centre is higher than its radius by more than this in m is off the slate.
+const LIFT: f64 = 1e-7;
+
 pub(super) fn classify(ball: &Ball, mut state: State) -> State {
-    if state.motion == Motion::Airborne {
+    if state.motion.flies() {
         return state;
     }
+    if state.velocity.y > 0.0 || state.position.y > ball.radius + LIFT {
+        state.motion = Motion::Airborne;
+        return state;
+    }
+    state.velocity.y = 0.0;
     if !ball.spins {
         state.angular_velocity = DVec3::ZERO;
         state.motion = if state.velocity == DVec3::ZERO {
@@ -157,7 +165,7 @@ pub(super) fn piece(cloth: &Cloth, ball: &Ball, state: &State) -> Piece {
             piece.acceleration = -cloth.gravity * DVec3::Y;
             piece.spin_deceleration = 0.0;
         }
-        Motion::Rest | Motion::Gliding | Motion::Pocketed => {
+        Motion::Rest | Motion::Gliding | Motion::Tipping | Motion::Pocketed | Motion::OffTable => {
             piece.spin_deceleration = 0.0;
         }
     }

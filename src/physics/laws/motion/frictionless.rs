@@ -1,4 +1,4 @@
-//! A table without cloth: Newton's first law.
+//! A table without cloth: Newton's first law. There is no gravity, and nothing leaves the plane.
 
 use crate::physics::ball::{Motion, State};
 use crate::physics::laws::motion::Piece;
@@ -8,6 +8,7 @@ pub(super) fn piece(state: &State) -> Piece {
 }
 
 pub(super) fn classify(mut state: State) -> State {
+    state.velocity.y = 0.0;
     state.motion = if state.velocity != glam::DVec3::ZERO {
         Motion::Gliding
     } else if state.angular_velocity != glam::DVec3::ZERO {

@@ -12,7 +12,7 @@ pub use piece::Piece;
 
 use serde::{Deserialize, Serialize};
 
-use crate::physics::ball::{Ball, Motion, State};
+use crate::physics::ball::{Ball, State};
 use crate::physics::laws::coursework::Coursework;
 use crate::physics::laws::{Check, Parameter};
 
@@ -44,6 +44,15 @@ impl MotionLaw {
         !matches!(self, Self::Coursework(_))
     }
 
+    /// Gravity in m/s², if the law knows any: without it nothing flies.
+    #[must_use]
+    pub fn gravity(&self) -> Option<f64> {
+        match self {
+            Self::Coulomb(cloth) => Some(cloth.gravity),
+            Self::Frictionless | Self::Coursework(_) => None,
+        }
+    }
+
     /// The closed-form piece that starts with this state. For the coursework model, which has no closed
     /// form, the piece is the straight line of one tick; its friction comes after the tick.
     #[must_use]
@@ -57,7 +66,7 @@ impl MotionLaw {
     /// The state with the motion label that its velocities deserve. Call it after every impulse.
     #[must_use]
     pub fn classify(&self, ball: &Ball, state: State) -> State {
-        if state.motion == Motion::Pocketed {
+        if !state.motion.in_play() {
             return state;
         }
         match self {

@@ -92,7 +92,12 @@ impl Piece {
                 state.velocity = DVec3::ZERO;
                 state.angular_velocity = DVec3::ZERO;
             }
-            Motion::Sliding | Motion::Gliding | Motion::Airborne | Motion::Pocketed => {}
+            Motion::Sliding
+            | Motion::Gliding
+            | Motion::Airborne
+            | Motion::Tipping
+            | Motion::Pocketed
+            | Motion::OffTable => {}
         }
         state
     }

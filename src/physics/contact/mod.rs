@@ -5,6 +5,8 @@
 //! approaches meets now (0); one that separates is not met. `reach` is the distance of the centres at contact.
 //! Nothing is ever lost silently: numbers that are not finite are an error that carries them.
 
+pub mod flight;
+
 use glam::{DVec2, DVec3};
 
 use crate::physics::laws::motion::Piece;
@@ -31,6 +33,12 @@ impl Track {
             velocity: piece.velocity(age),
             acceleration: piece.acceleration,
         }
+    }
+
+    /// Where it is after this time.
+    #[must_use]
+    pub fn at(&self, time: f64) -> DVec3 {
+        self.position + time * (self.velocity + (0.5 * time) * self.acceleration)
     }
 
     fn plan(vector: DVec3) -> DVec2 {

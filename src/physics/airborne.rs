@@ -1,0 +1,165 @@
+//! Balls that are off the flat of the slate: on what they come down, and what that does to them. Both solvers ask here.
+
+use glam::DVec2;
+use serde::{Deserialize, Serialize};
+
+use crate::physics::ball::{Ball, Motion, State};
+use crate::physics::contact::{Track, flight};
+use crate::physics::laws::Laws;
+use crate::physics::laws::pocket::PocketLaw;
+use crate::physics::record::EventKind;
+use crate::physics::roots::RootError;
+use crate::physics::table::{FLOOR, Ground, Nose, RAIL, Table};
+
+/// How a fall ends, or is turned.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+pub enum Landing {
+    /// On the slate.
+    Slate,
+    /// Against the far side of the edge of this pocket.
+    Rim(usize),
+    /// Against the wall of this pocket below the slate, or its liner above.
+    Wall(usize),
+    /// On the bottom of this pocket.
+    Bottom(usize),
+    /// On a rail, or on the floor.
+    Off,
+}
+
+fn plan(track: &Track, time: f64) -> DVec2 {
+    let position = track.at(time);
+    DVec2::new(position.x, position.z)
+}
+
+/// When within `horizon` s, and on what, a ball of this radius comes down if no cushion, pocket or ball is in its way.
+/// A rail is as high as its nose and reaches [`RAIL`] m back.
+///
+/// # Errors
+/// [`RootError`] if a number is not finite.
+pub fn ground(
+    table: &Table,
+    laws: &Laws,
+    radius: f64,
+    track: &Track,
+    horizon: f64,
+) -> Result<Option<(f64, Landing)>, RootError> {
+    let floor = || -> Result<_, RootError> {
+        let time = flight::fall(track, FLOOR + radius, horizon)?;
+        Ok(time.map(|time| (time, Landing::Off)))
+    };
+    let is_over_rail = |time: f64| table.beyond(plan(track, time)) <= RAIL;
+    if let Nose::Round { .. } = table.nose {
+        let time = flight::fall(track, table.nose_height + radius, horizon)?;
+        let is_off = |time: &f64| *time > 0.0 && table.ground(plan(track, *time)) == Ground::Off;
+        if let Some(time) = time.filter(is_off) {
+            return if is_over_rail(time) {
+                Ok(Some((time, Landing::Off)))
+            } else {
+                floor()
+            };
+        }
+    }
+    let Some(time) = flight::fall(track, radius, horizon)? else {
+        return Ok(None);
+    };
+    match table.ground(plan(track, time)) {
+        Ground::Slate => Ok(Some((time, Landing::Slate))),
+        Ground::Hole(pocket) if laws.pocket == PocketLaw::Capture => {
+            Ok(Some((time, Landing::Bottom(pocket))))
+        }
+        // The pocket comes first; the floor bounds the search for it.
+        Ground::Hole(_) => floor(),
+        Ground::Off if is_over_rail(time) => Ok(Some((time, Landing::Off))),
+        Ground::Off => floor(),
+    }
+}
+
+/// When within `horizon` s a ball with this motion meets the inside of a pocket.
+///
+/// # Errors
+/// [`RootError`] if a number is not finite.
+pub fn pocket(
+    table: &Table,
+    laws: &Laws,
+    index: usize,
+    (radius, motion): (f64, Motion),
+    track: &Track,
+    horizon: f64,
+) -> Result<Option<(f64, Landing)>, RootError> {
+    let PocketLaw::Rim(rim) = laws.pocket else {
+        return Ok(None);
+    };
+    let hole = &table.pockets[index];
+    let mut first = flight::fall(track, -hole.depth, horizon)?
+        .filter(|time| plan(track, *time).distance(hole.center) < hole.radius)
+        .map(|time| (time, Landing::Bottom(index)));
+    if motion == Motion::Airborne {
+        let top = table.nose_height + radius;
+        let sides = (rim.edge, table.outward(hole.center), top);
+        let wall = flight::wall(track, hole, sides, radius, horizon)?;
+        let edge = flight::rim(track, hole, rim.edge, radius, horizon)?;
+        for (time, landing) in [(wall, Landing::Wall(index)), (edge, Landing::Rim(index))] {
+            let sooner = first.map_or(horizon, |(sooner, _)| sooner);
+            if let Some(time) = time.filter(|time| *time < sooner) {
+                first = Some((time, landing));
+            }
+        }
+    }
+    Ok(first)
+}
+
+/// What a landing is called, and the ball after it.
+#[must_use]
+pub fn land(
+    table: &Table,
+    laws: &Laws,
+    ball: &Ball,
+    state: &State,
+    landing: Landing,
+) -> (EventKind, State) {
+    match landing {
+        Landing::Slate => {
+            let mut landed = laws.slate.land(ball, state);
+            landed.position.y = ball.radius;
+            (EventKind::Slate, laws.motion.classify(ball, landed))
+        }
+        Landing::Rim(pocket) | Landing::Wall(pocket) => {
+            let hole = &table.pockets[pocket];
+            let on_edge = matches!(landing, Landing::Rim(_));
+            (
+                EventKind::Rim { pocket },
+                laws.rattle(hole, ball, state, on_edge),
+            )
+        }
+        Landing::Bottom(pocket) => {
+            let hole = &table.pockets[pocket];
+            (EventKind::Pocketed { pocket }, laws.pocket.captured(hole))
+        }
+        Landing::Off => {
+            let mut gone = State::at_rest(state.position);
+            gone.motion = Motion::OffTable;
+            (EventKind::OffTable, gone)
+        }
+    }
+}
+
+/// What happens to a ball on the slate whose centre passes the edge of a pocket.
+#[must_use]
+pub fn pass_edge(
+    table: &Table,
+    laws: &Laws,
+    ball: &Ball,
+    state: &State,
+    pocket: usize,
+) -> (EventKind, State) {
+    let after = laws.drop(&table.pockets[pocket], ball, state);
+    let kind = if after.motion == Motion::Pocketed {
+        EventKind::Pocketed { pocket }
+    } else {
+        EventKind::Motion {
+            from: state.motion,
+            to: after.motion,
+        }
+    };
+    (kind, after)
+}

@@ -1,0 +1,177 @@
+//! When a ball in flight meets the table: slate, noses in profile, rim and liner of a pocket.
+
+use glam::{DVec2, DVec3};
+
+use crate::physics::contact::{Track, circle, plan_circle};
+use crate::physics::roots::{RootError, quadratic};
+use crate::physics::table::{Cushion, Nose, Pocket};
+
+/// Two that are nearer than this in m touch.
+const NEAR: f64 = 1e-13;
+
+/// Steps of a search before it counts as failed.
+const LIMIT: usize = 20_000;
+
+/// When the centre comes down to this height in m.
+///
+/// # Errors
+/// [`RootError`] if a number is not finite.
+pub fn fall(track: &Track, height: f64, horizon: f64) -> Result<Option<f64>, RootError> {
+    let gap = track.position.y - height;
+    quadratic::first_closing(
+        [gap, track.velocity.y, 0.5 * track.acceleration.y],
+        0.0,
+        horizon,
+    )
+}
+
+/// When a ball of this radius meets a nose at this height, at whatever height the ball flies; the ends of lines count.
+///
+/// The distance f to a round nose, which is convex, falls no faster than f + f' s − |a| s²/2 from now on; so the time at
+/// which that is 0 is never beyond a contact. The search goes from such time to time, and ends quadratically near a
+/// contact, with an error below 1e-13 m.
+///
+/// # Errors
+/// [`RootError`] if a number is not finite or the search does not end.
+pub fn nose(
+    track: &Track,
+    (cushion, nose, height): (&Cushion, &Nose, f64),
+    radius: f64,
+    horizon: f64,
+) -> Result<Option<f64>, RootError> {
+    let Nose::Round { radius: rounding } = *nose else {
+        return match cushion {
+            Cushion::Line(line) => super::line(track, line, radius, horizon),
+            Cushion::Arc(arc) => super::arc(track, arc, radius, horizon),
+        };
+    };
+    let gap = |time: f64| {
+        let position = track.at(time);
+        let velocity = track.velocity + time * track.acceleration;
+        let (distance, direction) = cushion.nearest(DVec2::new(position.x, position.z));
+        // The circle in profile around which the nose is rounded lies behind the nose line.
+        let (out, up) = (distance + rounding, position.y - height);
+        let length = (out * out + up * up).sqrt();
+        let speed = out * direction.dot(DVec2::new(velocity.x, velocity.z)) + up * velocity.y;
+        (length - radius - rounding, speed / length.max(1e-12))
+    };
+    let bend = track.acceleration.length();
+    let mut time = 0.0;
+    for _ in 0..LIMIT {
+        let (distance, speed) = gap(time);
+        if !(distance + speed).is_finite() {
+            return Err(failed(track, time));
+        }
+        if distance <= NEAR && speed < 0.0 {
+            return Ok(Some(time));
+        }
+        let distance = distance.max(0.0);
+        let root = (speed * speed + 2.0 * bend * distance).sqrt();
+        // The falling root of f + f' s − |a| s²/2.
+        let step = if speed < 0.0 {
+            2.0 * distance / (root - speed)
+        } else if bend > 0.0 {
+            (speed + root) / bend
+        } else {
+            return Ok(None);
+        };
+        time += step.max(1e-12);
+        if time > horizon {
+            return Ok(None);
+        }
+    }
+    Err(failed(track, time))
+}
+
+/// When a falling ball of this radius meets the far side of the rounded edge of a pocket: on its way out from the
+/// nearest point to the middle. The edge is rounded with `edge` m, and its flat ends at the radius of the pocket.
+///
+/// # Errors
+/// [`RootError`] if a number is not finite or the search does not end.
+pub fn rim(
+    track: &Track,
+    pocket: &Pocket,
+    edge: f64,
+    radius: f64,
+    horizon: f64,
+) -> Result<Option<f64>, RootError> {
+    let plan = |v: DVec3| DVec2::new(v.x, v.z);
+    let gap = |time: f64| {
+        let position = track.at(time);
+        let velocity = track.velocity + time * track.acceleration;
+        let offset = plan(position) - pocket.center;
+        let distance = offset.length();
+        let (inward, up) = (pocket.radius - distance, position.y + edge);
+        let length = (inward * inward + up * up).sqrt();
+        let out = offset.normalize_or_zero().dot(plan(velocity));
+        (
+            length - radius - edge,
+            (up * velocity.y - inward * out) / length.max(1e-12),
+        )
+    };
+    let (p, v) = (plan(track.position) - pocket.center, plan(track.velocity));
+    let mut time = (-p.dot(v) / v.length_squared().max(1e-12)).max(0.0);
+    // No point of the ball comes nearer than its speed allows; below the rim there is the wall.
+    for _ in 0..LIMIT {
+        let position = track.at(time);
+        if time > horizon || position.y < -edge {
+            return Ok(None);
+        }
+        let (distance, speed) = gap(time);
+        if !(distance + speed).is_finite() {
+            return Err(failed(track, time));
+        }
+        if distance <= NEAR && speed < 0.0 {
+            // A step may have gone a little too far.
+            let back = (distance / speed).min(1e-6);
+            return Ok(Some((time - back).max(0.0)));
+        }
+        let fastest = (track.velocity + time * track.acceleration).length();
+        let bend = track.acceleration.length();
+        let reach = distance.max(0.0);
+        let step = 2.0 * reach / (fastest + (fastest * fastest + 2.0 * bend * reach).sqrt());
+        // Near a contact that closes the next step would be lost in rounding.
+        if reach < 1e-9 && speed < 0.0 {
+            return Ok(Some(time + reach / -speed));
+        }
+        time += step.max(1e-6);
+    }
+    Err(failed(track, time))
+}
+
+/// When a falling ball of this radius meets the wall of a hole, or above the slate its liner, from inside. The wall is
+/// `edge` m behind the end of the flat; the liner stands away from the table, `outward` in plan, up to the height `top`
+/// of the centre.
+///
+/// # Errors
+/// [`RootError`] if a number is not finite.
+pub fn wall(
+    track: &Track,
+    pocket: &Pocket,
+    (edge, outward, top): (f64, DVec2, f64),
+    radius: f64,
+    horizon: f64,
+) -> Result<Option<f64>, RootError> {
+    let room = (pocket.radius - edge - radius).max(1e-6);
+    // From inside the room is left when room² − d² falls through 0.
+    let inside = plan_circle(track, pocket.center, room).map(|c| -c);
+    let Some(time) = circle(inside, horizon)? else {
+        return Ok(None);
+    };
+    let position = track.at(time);
+    let offset = DVec2::new(position.x, position.z) - pocket.center;
+    if offset.length() > pocket.radius {
+        return Ok(None);
+    }
+    let below = position.y <= -edge;
+    let at_liner = offset.dot(outward) > 0.0 && position.y < top;
+    Ok((below || at_liner).then_some(time))
+}
+
+fn failed(track: &Track, from: f64) -> RootError {
+    let (p, v) = (track.position, track.velocity);
+    RootError {
+        coefficients: [p.x, p.y, p.z, v.length(), track.acceleration.y],
+        from,
+    }
+}

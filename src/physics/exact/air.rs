@@ -1,0 +1,103 @@
+//! Balls that are off the flat of the slate.
+
+use crate::physics::airborne::{self, Landing};
+use crate::physics::contact::{Track, flight};
+use crate::physics::exact::engine::Engine;
+use crate::physics::exact::predict::{Partner, Search};
+use crate::physics::exact::walls::Wall;
+use crate::physics::exact::{SolveError, Watch};
+use crate::physics::record::EventKind;
+use crate::physics::roots::RootError;
+
+impl Search {
+    fn offer_landing(&mut self, found: Option<(f64, Landing)>) {
+        let Some((wait, landing)) = found else { return };
+        self.offer(Some(wait), Partner::Landing(landing));
+    }
+}
+
+impl Engine {
+    /// When a ball in flight comes down, and where.
+    pub(super) fn search_ground(
+        &self,
+        ball: usize,
+        track: &Track,
+        search: &mut Search,
+    ) -> Result<(), RootError> {
+        let radius = self.flights[ball].radius;
+        let found = airborne::ground(&self.table, &self.laws, radius, track, search.wait)?;
+        search.offer_landing(found);
+        Ok(())
+    }
+
+    /// When a ball in flight meets a cushion or a pocket.
+    pub(super) fn search_wall_in_flight(
+        &self,
+        ball: usize,
+        track: &Track,
+        wall: Wall,
+        search: &mut Search,
+    ) -> Result<(), RootError> {
+        let (table, radius) = (&self.table, self.flights[ball].radius);
+        match wall {
+            Wall::Cushion(index) => {
+                let cushion = &table.cushions[index as usize];
+                let nose = (cushion, &table.nose, table.nose_height);
+                let wait = flight::nose(track, nose, radius, search.wait)?;
+                search.offer(wait, Partner::Cushion(index));
+            }
+            Wall::Pocket(index) => {
+                let what = (radius, self.paths[ball].piece.start.motion);
+                let (laws, index) = (&self.laws, index as usize);
+                let found = airborne::pocket(table, laws, index, what, track, search.wait)?;
+                search.offer_landing(found);
+            }
+        }
+        Ok(())
+    }
+
+    /// The centre of a ball on the slate passes the edge of a pocket.
+    pub(super) fn pass_edge(
+        &mut self,
+        ball: usize,
+        pocket: usize,
+        watch: &mut impl Watch,
+    ) -> Result<(), SolveError> {
+        let before = self.state(ball);
+        let (table, laws, body) = (&self.table, &self.laws, &self.bodies[ball]);
+        let (kind, after) = airborne::pass_edge(table, laws, body, &before, pocket);
+        self.set(ball, after, watch)?;
+        self.leave(ball);
+        watch.event(&self.lone(ball, kind, before, after));
+        self.predict(ball)
+    }
+
+    /// A ball in flight comes down on something.
+    pub(super) fn come_down(
+        &mut self,
+        ball: usize,
+        landing: Landing,
+        watch: &mut impl Watch,
+    ) -> Result<(), SolveError> {
+        let before = self.state(ball);
+        let (table, laws, body) = (&self.table, &self.laws, &self.bodies[ball]);
+        let (kind, after) = airborne::land(table, laws, body, &before, landing);
+        let mass = body.mass;
+        self.set(ball, after, watch)?;
+        self.leave(ball);
+        let mut event = self.lone(ball, kind, before, after);
+        if let EventKind::Slate | EventKind::Rim { .. } = kind {
+            event.impulse = mass * (after.velocity - before.velocity).length();
+        }
+        watch.event(&event);
+        self.predict(ball)
+    }
+
+    /// Takes a ball that is out of play from the cells.
+    fn leave(&mut self, ball: usize) {
+        let is_gone = !self.paths[ball].piece.start.motion.in_play();
+        if let Some(cells) = self.cells.as_mut().filter(|_| is_gone) {
+            cells.remove(ball as u32);
+        }
+    }
+}
