@@ -253,10 +253,12 @@ fn ours(event: &Event, scene: &Scene, table: &PeerTable) -> Option<Entry> {
         .collect();
     who.sort_by(|a, b| a.0.cmp(&b.0));
     let what = match event.kind {
-        EventKind::Strike { .. } => return None,
         EventKind::BallBall => format!("ball_ball {} {}", who[0].0, who[1].0),
         // The peer's tables are flat.
-        EventKind::Slate | EventKind::Rim { .. } | EventKind::OffTable => return None,
+        EventKind::Strike { .. }
+        | EventKind::Slate
+        | EventKind::Rim { .. }
+        | EventKind::OffTable => return None,
         EventKind::Cushion { cushion } => match table.linear.get(cushion) {
             Some(line) => format!("ball_linear_cushion {first} {}", line.id),
             None => format!(
@@ -268,10 +270,11 @@ fn ours(event: &Event, scene: &Scene, table: &PeerTable) -> Option<Entry> {
             format!("ball_pocket {first} {}", table.pockets[pocket].id)
         }
         EventKind::Motion { from, to } => {
+            use masse::physics::ball::Motion;
             let label = |motion| match motion {
-                masse::physics::ball::Motion::Sliding => "sliding",
-                masse::physics::ball::Motion::Rolling => "rolling",
-                masse::physics::ball::Motion::Spinning => "spinning",
+                Motion::Sliding => "sliding",
+                Motion::Rolling => "rolling",
+                Motion::Spinning => "spinning",
                 _ => "stationary",
             };
             format!("{}_{} {first}", label(from), label(to))
