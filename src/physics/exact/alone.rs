@@ -104,10 +104,7 @@ impl Engine {
         let normal = flat / flat.length();
         let closing = (one.velocity - two.velocity).dot(normal);
         // Written so that what is not a number goes the general way.
-        if !(closing >= SLOW && overlap <= DEEP)
-            || one.motion.flies()
-            || two.motion.flies()
-        {
+        if !(closing >= SLOW && overlap <= DEEP) || one.motion.flies() || two.motion.flies() {
             return None;
         }
         let geometry = PairContact {

@@ -201,7 +201,7 @@ impl Scene {
             if this != first {
                 return refuse(&field, format!("{this:?}"), "the same ball as balls[0]");
             }
-            if ball.state.motion == Motion::Airborne {
+            if ball.state.motion.flies() {
                 return refuse(&field, "airborne".to_owned(), "on the slate");
             }
         }

@@ -164,7 +164,11 @@ fn happen(bodies: &mut Bodies, playfield: &Playfield, contact: &Contact) -> Even
                 &before,
                 &CushionContact {
                     normal: glam::DVec3::new(away.x, 0.0, away.y),
-                    nose_height: table.nose_height,
+                    nose_height: laws.cushion.nose_height(
+                        table.nose_height,
+                        &body,
+                        &table.cushions[cushion],
+                    ),
                     nose: table.nose,
                     restitution: settled(bodies.all[ball].impacts),
                 },

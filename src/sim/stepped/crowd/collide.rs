@@ -212,11 +212,12 @@ impl<B: Body> Patch<B> {
         }
         left = left.min(body.left() - age).max(0.0);
         let path = track(body, age);
+        let reach = stretch.table.reach(stretch.ball.radius);
         for listed in near {
             let index = stretch.walls.cushion(listed);
             let met = match &stretch.table.cushions[index as usize] {
-                Cushion::Line(line) => contact::line(&path, line, stretch.ball.radius, left),
-                Cushion::Arc(arc) => contact::arc(&path, arc, stretch.ball.radius, left),
+                Cushion::Line(line) => contact::line(&path, line, reach, left),
+                Cushion::Arc(arc) => contact::arc(&path, arc, reach, left),
             };
             let origin = &self.origins[i];
             if let Some(met) = found(&mut self.failure, origin, met) {

@@ -6,7 +6,7 @@ use bevy::ecs::change_detection::Tick;
 use bevy::ecs::system::SystemChangeTick;
 use bevy::prelude::*;
 
-use crate::physics::ball::{Ball, Motion, State};
+use crate::physics::ball::{Ball, State};
 use crate::sim::clock::Clock;
 use crate::sim::components::{
     AngularVelocity, BallIndex, Mass, MotionKind, Position, Radius, Velocity, ball_and_state,
@@ -114,7 +114,7 @@ fn read(crowd: &Crowd, balls: &Read) -> Result<(Ball, usize, Vec<(u32, State)>),
                 index.0
             ));
         }
-        if state.motion == Motion::Airborne {
+        if state.motion.flies() {
             return Err(format!(
                 "ball {} flies: a crowd stays on the slate",
                 index.0
