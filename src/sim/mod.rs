@@ -8,6 +8,7 @@ pub mod exact;
 pub mod messages;
 pub mod playfield;
 pub mod recorder;
+pub mod saved;
 pub mod stepped;
 pub mod stepping;
 

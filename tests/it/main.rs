@@ -6,6 +6,7 @@ mod cli;
 mod closeness;
 #[cfg(feature = "window")]
 mod controls;
+mod convergence;
 mod crowds;
 mod cue_path;
 mod exact;
@@ -17,6 +18,7 @@ mod practice;
 mod properties;
 mod record_files;
 mod reference;
+mod saved_tables;
 mod scene_files;
 mod schedules;
 #[cfg(feature = "window")]

@@ -258,6 +258,21 @@ impl Cells {
         Ok(())
     }
 
+    /// Asks the memory for what [`Self::around`] needs.
+    #[inline]
+    pub(super) fn look(&self, ball: u32) {
+        let Some(&cell) = self.cell_of.get(ball as usize) else {
+            return;
+        };
+        for cell in [
+            cell.wrapping_sub(self.stride),
+            cell,
+            cell.wrapping_add(self.stride),
+        ] {
+            std::hint::black_box(self.rooms.get(cell as usize).map_or(NONE, |room| room[0]));
+        }
+    }
+
     /// Places in the list of walls of all that can be touched in the cell of a ball.
     #[inline]
     pub(super) fn walls(&self, ball: u32) -> &[u32] {

@@ -35,6 +35,8 @@ pub struct Engine {
     pub(super) flights: Vec<Flight>,
     pub(super) touched: Vec<Touched>,
     pub(super) widest: f64,
+    /// The largest difference in m² of the squares of distance and of reach at which two balls touch.
+    pub(super) touch: f64,
     pub(super) walls: Walls,
     pub(super) cells: Option<Cells>,
     pub(super) queue: Queue,
@@ -168,12 +170,30 @@ impl Engine {
         while let Some(time) = self.next_time().filter(|time| *time <= until) {
             // Rounding may put an event a bit before the clock.
             self.clock = self.clock.max(time);
+            self.look_ahead();
             self.step(watch)?;
         }
         if until.is_finite() {
             self.clock = self.clock.max(until);
         }
         Ok(())
+    }
+
+    /// Asks the memory for what the next event but one is likely to need, so that it is there when its turn comes. Changes
+    /// nothing.
+    fn look_ahead(&self) {
+        let Some(cells) = &self.cells else { return };
+        let Some(flight) = self.queue.runner_up().and_then(|ball| {
+            cells.look(ball as u32);
+            self.flights.get(ball)
+        }) else {
+            return;
+        };
+        let other = match flight.next.partner {
+            Partner::Ball(other) => other as usize,
+            _ => 0,
+        };
+        std::hint::black_box(self.flights[other].count);
     }
 
     /// Plays a stroke now.

@@ -7,7 +7,7 @@ use crate::physics::exact::queue::Queue;
 use crate::physics::exact::touched::Touched;
 use crate::physics::exact::walls::Walls;
 use crate::physics::exact::{Limits, SolveError};
-use crate::physics::laws::cluster::Cluster;
+use crate::physics::laws::cluster::{Cluster, TOUCH};
 use crate::physics::record::PathPiece;
 use crate::physics::scene::Scene;
 
@@ -73,6 +73,7 @@ impl Engine {
             flights: Vec::with_capacity(count),
             touched: vec![Touched::NOTHING; count],
             widest: radius,
+            touch: 1.001 * TOUCH * (4.0 * radius + TOUCH),
             walls,
             cells,
             queue: Queue::new(count),

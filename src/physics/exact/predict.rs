@@ -182,13 +182,9 @@ impl Engine {
             let mut touches = false;
             for (place, &other) in list.iter().enumerate() {
                 let flight = &self.flights[other as usize];
-                let there = flight.glide(now);
-                let gap = glide.gap(&there);
-                let open = quadratic::stays_open(gap, search.wait);
-                left |= u32::from(!(open & flight.level)) << place;
-                touches |= ((gap[0] <= glide.touch(&there)) | !flight.level)
-                    & (other != search.but)
-                    & (other != ball as u32);
+                let (passes, near) = glide.passes(&flight.glide(now), search.wait, self.touch);
+                left |= u32::from(!(passes & flight.level)) << place;
+                touches |= (near | !flight.level) & (other != search.but) & (other != ball as u32);
             }
             search.touches |= touches;
             while left != 0 {
@@ -199,10 +195,10 @@ impl Engine {
                     self.search_pair(ball, track, other as usize, search)?;
                     continue;
                 }
-                let gap = glide.gap(&flight.glide(now));
-                if !quadratic::stays_open(gap, search.wait) {
+                let there = flight.glide(now);
+                if !glide.passes(&there, search.wait, self.touch).0 {
                     let horizon = search.wait.min(flight.until - now);
-                    let wait = quadratic::first_closing(gap, 0.0, horizon)?;
+                    let wait = quadratic::first_closing(glide.gap(&there), 0.0, horizon)?;
                     search.offer(wait, Partner::Ball(other));
                 }
             }

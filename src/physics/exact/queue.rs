@@ -81,6 +81,22 @@ impl Queue {
         place
     }
 
+    /// A ball whose event comes early among the others: the best of those that the first met in the final. `None` where
+    /// there was but one match.
+    #[inline]
+    pub(super) fn runner_up(&self) -> Option<usize> {
+        let (last, earlier) = self.rounds.split_last()?;
+        if earlier.is_empty() {
+            return None;
+        }
+        let time = last[0].least_with(last[0].winner(self.first), f64::INFINITY);
+        let mut place = last[0].winner(time);
+        for round in earlier.iter().rev() {
+            place = place * WIDE + round[place].winner(time);
+        }
+        Some(place)
+    }
+
     /// Sets the time of a ball's next event.
     #[inline]
     pub(super) fn set(&mut self, ball: usize, time: f64) {

@@ -55,20 +55,3 @@ pub fn first_closing(c: [f64; 3], from: f64, horizon: f64) -> Result<Option<f64>
     };
     Ok((time <= horizon).then_some(time))
 }
-
-/// Whether [`first_closing`] from 0 on certainly finds nothing until the horizon: what a few products can tell, written
-/// without branches because most of what many bodies ask ends here. The coefficients must be numbers.
-#[inline]
-#[must_use]
-pub fn stays_open(c: [f64; 3], horizon: f64) -> bool {
-    let square = c[1] * c[1];
-    let opens = (c[1] >= 0.0) & (c[2] >= 0.0);
-    // Far enough from a double root for plain arithmetic.
-    let passes = (square - 4.0 * c[0] * c[2] < -1e-3 * square) & (c[0] > 0.0);
-    // A convex curve that still falls at the horizon, well above zero there.
-    let later = (c[0] + horizon * (c[1] + horizon * c[2]) > 1e-9 * c[0])
-        & (c[1] + 2.0 * horizon * c[2] <= 0.0)
-        & (c[0] > 0.0)
-        & (c[2] >= 0.0);
-    opens | passes | later
-}
