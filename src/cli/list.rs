@@ -2,17 +2,22 @@
 
 use crate::cli::{CommandError, to_stdout};
 use crate::scenarios::library::BUILT_IN;
+use crate::scenarios::preset;
 
-/// Names the built-in scenes, one a line: the name, then the title.
+/// Names what is built in, one thing a line: the name, what it is, the title.
 pub(super) fn list() -> Result<(), CommandError> {
-    let width = BUILT_IN
-        .iter()
-        .map(|scene| scene.name.len())
-        .max()
-        .unwrap_or(0);
-    let mut lines = Vec::new();
+    let mut rows = Vec::new();
     for scene in BUILT_IN {
-        lines.push(format!("{:width$}  {}", scene.name, scene.title()?));
+        rows.push((scene.name, "scene", scene.title()?));
     }
-    to_stdout(|out| lines.iter().try_for_each(|line| writeln!(out, "{line}")))
+    for (kind, assets) in [("preset", preset::BUILT_IN), ("cloth", preset::CLOTHS)] {
+        for asset in assets {
+            rows.push((asset.name, kind, asset.title()?));
+        }
+    }
+    let width = rows.iter().map(|row| row.0.len()).max().unwrap_or(0);
+    to_stdout(|out| {
+        rows.iter()
+            .try_for_each(|(name, kind, title)| writeln!(out, "{name:width$}  {kind:6}  {title}"))
+    })
 }

@@ -43,7 +43,10 @@ use run::RunOptions;
         masse run my.ron --solver stepped --tick 0.001 --out my.jsonl\n  \
         masse picture my.jsonl my.svg                draw a run that was written, without running it again\n  \
         masse write gas gas.ron                      write a scene out in full, to change it\n  \
-        masse judge                                  every law beside closed forms and experiments\n\n\
+        masse judge                                  every law beside closed forms and experiments\n  \
+        masse write snooker my-table.ron             copy a preset, with the sources of its numbers\n  \
+        masse play --preset my-table.ron             play with it; the game follows every change of the file\n  \
+        masse run throw --preset heated_carom -q     the same shot with other equipment\n\n\
         RECORDS\n  \
         `masse run` writes a record: a line with the scene as it was, a line for each event, the paths that the events do\n  \
         not tell, and a summary. Every line is a JSON object. An event has: time in s, kind (strike, ball_ball, cushion,\n  \
@@ -68,6 +71,9 @@ enum Command {
     Play {
         /// Built-in scene or scene file to begin with; without it a racked table
         scene: Option<String>,
+        /// Preset to play with (see `masse list`), or a preset file, which may be edited while playing
+        #[arg(long, value_name = "NAME|FILE")]
+        preset: Option<String>,
     },
     /// Run a scene without a window and write what happens as JSON lines
     Run(RunOptions),
@@ -81,12 +87,12 @@ enum Command {
     },
     /// Compare every law with closed forms and with experiments: tables and pictures
     Judge(JudgeOptions),
-    /// Name the scenes that are built in
+    /// Name the scenes, presets and cloths that are built in
     List,
-    /// Write a scene out in full as a scene file
+    /// Write out a scene in full, or a preset or a cloth with the sources of its numbers, to change it
     Write {
-        /// Built-in scene or scene file
-        scene: String,
+        /// Built-in scene, preset or cloth, or a scene file
+        name: String,
         /// The file to write
         file: PathBuf,
     },
@@ -147,16 +153,16 @@ pub fn main() -> ExitCode {
         }
     };
     let outcome = match cli.command {
-        None => play::play(None),
-        Some(Command::Play { scene }) => play::play(scene.as_deref()),
+        None => play::play(None, None),
+        Some(Command::Play { scene, preset }) => play::play(scene.as_deref(), preset.as_deref()),
         Some(Command::Run(options)) => run::run(&options).map(|()| ExitCode::SUCCESS),
         Some(Command::Picture { record, file }) => {
             picture::draw(&record, &file).map(|()| ExitCode::SUCCESS)
         }
         Some(Command::Judge(options)) => judge::run(&options),
         Some(Command::List) => list::list().map(|()| ExitCode::SUCCESS),
-        Some(Command::Write { scene, file }) => {
-            write::write(&scene, &file).map(|()| ExitCode::SUCCESS)
+        Some(Command::Write { name, file }) => {
+            write::write(&name, &file).map(|()| ExitCode::SUCCESS)
         }
     };
     outcome.unwrap_or_else(|error| {

@@ -5,27 +5,68 @@ use std::process::ExitCode;
 
 use crate::cli::simulate::simulate;
 use crate::cli::{CommandError, say, to_file, to_stdout};
+use crate::game::practice;
+use crate::physics::scene::{Rack, Solver};
 use crate::report::{picture, record_file};
 use crate::scenarios::file::Scenario;
-use crate::scenarios::library;
+use crate::scenarios::{library, preset};
 
 /// The scene that is run where there is no window.
 const BREAK: &str = "break-eight";
 
-/// Plays from this scene, or from a racked table.
-pub(super) fn play(scene: Option<&str>) -> Result<ExitCode, CommandError> {
-    let scenario = scene.map(library::open).transpose()?;
+/// Plays from this scene, or from a racked table, with this preset.
+pub(super) fn play(scene: Option<&str>, preset: Option<&str>) -> Result<ExitCode, CommandError> {
+    let mut scenario = scene.map(library::open).transpose()?;
+    if let Some(name) = preset {
+        scenario = Some(equipped(scenario, name)?);
+    }
     match window(scenario.as_ref()) {
         Ok(code) => Ok(code),
-        Err(reason) => fall_back(&reason, scene.unwrap_or(BREAK)).map(|()| ExitCode::SUCCESS),
+        Err(reason) => {
+            let name = scene.unwrap_or(BREAK);
+            // A rack stands still: what is drawn is the break of it.
+            let scenario = match scenario {
+                Some(scenario) if scene.is_some() => scenario,
+                _ => {
+                    let opened = library::open(BREAK)?;
+                    match preset {
+                        Some(preset) => equipped(Some(opened), preset)?,
+                        None => opened,
+                    }
+                }
+            };
+            fall_back(&reason, name, &scenario).map(|()| ExitCode::SUCCESS)
+        }
     }
+}
+
+/// A scene, or a rack, with the equipment of a preset.
+fn equipped(scenario: Option<Scenario>, name: &str) -> Result<Scenario, CommandError> {
+    let preset = preset::open(name)?;
+    let mut scenario = match scenario {
+        Some(scenario) => scenario,
+        None => Scenario {
+            title: preset.title.clone(),
+            description: preset.description.clone(),
+            preset: None,
+            scene: practice::set_up(&preset.equipment, Solver::Exact, Rack::EightBall, 1),
+        },
+    };
+    let shot = scenario.scene.shot;
+    if !preset.equipment.take_over(&mut scenario.scene) {
+        return Err(CommandError::Usage(format!(
+            "--preset {name}: the balls of the scene have no room there"
+        )));
+    }
+    scenario.scene.shot = shot;
+    scenario.preset = Some(name.to_owned());
+    Ok(scenario)
 }
 
 /// Opens the window; the error is why there is none.
 #[cfg(feature = "window")]
 fn window(scenario: Option<&Scenario>) -> Result<ExitCode, String> {
-    let exit = crate::window::play(scenario.map(|scenario| scenario.scene.clone()))
-        .map_err(|error| error.to_string())?;
+    let exit = crate::window::play(scenario.cloned()).map_err(|error| error.to_string())?;
     Ok(match exit {
         bevy::app::AppExit::Success => ExitCode::SUCCESS,
         bevy::app::AppExit::Error(code) => ExitCode::from(code.get()),
@@ -42,7 +83,10 @@ fn window(_: Option<&Scenario>) -> Result<ExitCode, String> {
 /// what happened.
 #[must_use]
 pub fn fallback(reason: &str) -> ExitCode {
-    match fall_back(reason, BREAK) {
+    let outcome = library::open(BREAK)
+        .map_err(CommandError::from)
+        .and_then(|scenario| fall_back(reason, BREAK, &scenario));
+    match outcome {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             say(&format!("masse: {error}"));
@@ -51,7 +95,7 @@ pub fn fallback(reason: &str) -> ExitCode {
     }
 }
 
-fn fall_back(reason: &str, name: &str) -> Result<(), CommandError> {
+fn fall_back(reason: &str, name: &str, scenario: &Scenario) -> Result<(), CommandError> {
     let what = if name == BREAK { "the break" } else { name };
     let file = if name == BREAK {
         "masse-break.svg"
@@ -61,7 +105,6 @@ fn fall_back(reason: &str, name: &str) -> Result<(), CommandError> {
     say(&format!(
         "masse: {reason}, so {what} runs without a window and is drawn in {file}."
     ));
-    let scenario = library::open(name)?;
     let record = simulate(&scenario.scene)?;
     let drawn = picture::draw(&scenario.title, &scenario.scene, &record);
     to_file(Path::new(file), drawn.as_bytes())?;

@@ -6,9 +6,10 @@ use clap::{Args, ValueEnum};
 
 use crate::cli::simulate::simulate;
 use crate::cli::{CommandError, say, to_file, to_stdout};
+use crate::physics::cue_path::{self, Obstacle};
 use crate::physics::scene::{Scene, Solver, Stepped};
 use crate::report::{picture, record_file};
-use crate::scenarios::library;
+use crate::scenarios::{library, preset};
 
 /// What to run, and how.
 #[derive(Args, Debug)]
@@ -27,6 +28,9 @@ pub(super) struct RunOptions {
     /// Seconds after which the run ends even if balls still move
     #[arg(long, value_name = "S")]
     time_limit: Option<f64>,
+    /// Preset to play it with (see `masse list`), or a preset file
+    #[arg(long, value_name = "NAME|FILE")]
+    preset: Option<String>,
     /// File for the record, instead of the standard output
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
@@ -64,6 +68,11 @@ pub(super) fn run(options: &RunOptions) -> Result<(), CommandError> {
     let mut scenario = library::open(&options.scene)?;
     options.change(&mut scenario.scene)?;
     let (scene, title) = (&scenario.scene, &scenario.title);
+    if !options.quiet
+        && let Some(note) = cue_note(scene)
+    {
+        say(&note);
+    }
     let record = simulate(scene)?;
     let written = |out: &mut dyn std::io::Write| {
         record_file::write(out, &options.scene, title, scene, &record)
@@ -88,9 +97,41 @@ pub(super) fn run(options: &RunOptions) -> Result<(), CommandError> {
     Ok(())
 }
 
+/// A line about a cue that would pass through something: the stroke is played all the same, as pure physics.
+fn cue_note(scene: &Scene) -> Option<String> {
+    let planned = scene.shot?;
+    let obstacle = cue_path::obstacle(scene, planned.ball, &planned.shot)?;
+    let what = match obstacle {
+        Obstacle::Ball(ball) => format!("ball `{}`", scene.balls[ball].name),
+        Obstacle::Cushion(cushion) => format!("cushion {cushion}"),
+        Obstacle::Rail => "the rail".to_owned(),
+        Obstacle::Slate => "the slate".to_owned(),
+    };
+    let need = match cue_path::lift(scene, planned.ball, &planned.shot) {
+        Some(lift) => format!(
+            "from {:.2} degrees of elevation on it is clear",
+            (100.0 * lift.elevation.to_degrees()).ceil() / 100.0
+        ),
+        None => "no elevation clears it".to_owned(),
+    };
+    Some(format!(
+        "note: at {:.2} degrees the cue would pass through {what}; {need}",
+        planned.shot.elevation.to_degrees()
+    ))
+}
+
 impl RunOptions {
     /// Changes a scene to what the options say.
     fn change(&self, scene: &mut Scene) -> Result<(), CommandError> {
+        if let Some(name) = &self.preset {
+            let shot = scene.shot;
+            if !preset::open(name)?.equipment.take_over(scene) {
+                return Err(CommandError::Usage(format!(
+                    "--preset {name}: the balls of the scene have no room there"
+                )));
+            }
+            scene.shot = shot;
+        }
         match (self.solver, scene.solver) {
             (Some(SolverName::Exact), _) => scene.solver = Solver::Exact,
             (Some(SolverName::Stepped), Solver::Exact) => {

@@ -9,10 +9,11 @@ use glam::DVec2;
 use crate::game::aim::Aim;
 use crate::game::history::History;
 use crate::game::{placing, target};
-use crate::physics::ball::{Ball, Motion};
+use crate::physics::ball::Motion;
 use crate::physics::cue::Shot;
+use crate::physics::equipment::{BallSet, Equipment};
 use crate::physics::laws::Laws;
-use crate::physics::scene::{Rack, Scene};
+use crate::physics::scene::{Rack, Scene, Solver};
 use crate::physics::table::{Preset, Table};
 use crate::sim::SimSystems;
 use crate::sim::clock::Clock;
@@ -111,15 +112,27 @@ pub fn opening() -> Scene {
     )
 }
 
-/// This table racked, with the laws, the cue and the solver of a scene.
+/// This table racked, with the laws, the cue, the solver and the kinds of balls of a scene.
 #[must_use]
 pub fn racked(like: &Scene, table: Table, rack: Rack, seed: u64) -> Scene {
-    let mut scene = Scene {
+    let equipment = Equipment {
+        table,
+        laws: like.laws,
         cue: like.cue,
-        solver: like.solver,
-        ..Scene::new(table, like.laws)
+        balls: BallSet::in_scene(like).unwrap_or_default(),
     };
-    rack.place(&mut scene, Ball::POOL, 0.0, seed);
+    set_up(&equipment, like.solver, rack, seed)
+}
+
+/// A rack with this equipment.
+#[must_use]
+pub fn set_up(equipment: &Equipment, solver: Solver, rack: Rack, seed: u64) -> Scene {
+    let mut scene = equipment.scene();
+    if solver != Solver::Exact || scene.laws.motion.is_closed_form() {
+        scene.solver = solver;
+    }
+    rack.place(&mut scene, equipment.balls.object, 0.0, seed);
+    equipment.balls.exchange(&mut scene);
     scene
 }
 

@@ -6,7 +6,6 @@
 
 use glam::{DVec2, DVec3};
 
-use crate::physics::ball::Motion;
 use crate::physics::cue::Shot;
 use crate::physics::scene::Scene;
 use crate::physics::table::{Cushion, Table};
@@ -92,7 +91,7 @@ pub fn obstacle(scene: &Scene, ball: usize, shot: &Shot) -> Option<Obstacle> {
     };
     note(axis.above_slate(), Obstacle::Slate);
     for (index, other) in scene.balls.iter().enumerate() {
-        if index != ball && other.state.motion != Motion::Pocketed {
+        if index != ball && other.state.motion.in_play() {
             let clearance = axis.beside_ball(other.state.position, other.ball.radius);
             note(clearance, Obstacle::Ball(index));
         }

@@ -8,6 +8,7 @@ pub mod ball;
 pub mod contact;
 pub mod cue;
 pub mod cue_path;
+pub mod equipment;
 pub mod exact;
 pub mod laws;
 pub mod record;

@@ -1,4 +1,5 @@
-//! What can be played: scene files, and the library of scenes that is built in.
+//! What can be played: scene files, the library of scenes that is built in, and presets of equipment.
 
 pub mod file;
 pub mod library;
+pub mod preset;

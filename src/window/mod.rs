@@ -24,7 +24,7 @@ use bevy_egui::{EguiPlugin, EguiPreUpdateSet, EguiPrimaryContextPass};
 use leafwing_input_manager::plugin::InputManagerSystem;
 
 use crate::game::{GamePlugin, practice};
-use crate::physics::scene::Scene;
+use crate::scenarios::file::Scenario;
 use crate::sim::SimPlugin;
 use crate::sim::playfield::lay_out;
 
@@ -104,7 +104,7 @@ impl PluginGroup for Windowed {
 ///
 /// # Errors
 /// [`NoDisplay`] if there is nothing to draw on or with.
-pub fn play(scene: Option<Scene>) -> Result<AppExit, NoDisplay> {
+pub fn play(scenario: Option<Scenario>) -> Result<AppExit, NoDisplay> {
     let mut app = display::on_screen(|quality| {
         let mut app = App::new();
         app.insert_resource(quality)
@@ -112,7 +112,8 @@ pub fn play(scene: Option<Scene>) -> Result<AppExit, NoDisplay> {
             .add_plugins(windowed());
         app
     })?;
-    lay_out(app.world_mut(), &scene.unwrap_or_else(practice::opening));
+    let scene = scenario.map_or_else(practice::opening, |scenario| scenario.scene);
+    lay_out(app.world_mut(), &scene);
     Ok(app.run())
 }
 

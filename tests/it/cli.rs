@@ -37,15 +37,27 @@ pub(crate) fn err(output: &Output) -> String {
 }
 
 #[test]
-fn list_names_one_scene_a_line() {
+fn list_names_one_thing_a_line() {
     let listed = output(masse().arg("list"));
     assert_eq!(listed.status.code(), Some(0));
     let text = out(&listed);
     assert!(text.lines().count() >= 15, "{text}");
+    let mut kinds = Vec::new();
     for line in text.lines() {
-        let name = line.split_whitespace().next().expect("a name");
-        assert!(masse::scenarios::library::open(name).is_ok(), "{line}");
+        let mut words = line.split_whitespace();
+        let name = words.next().expect("a name");
+        let kind = words.next().expect("what it is");
+        match kind {
+            "scene" => assert!(masse::scenarios::library::open(name).is_ok(), "{line}"),
+            "preset" => assert!(masse::scenarios::preset::open(name).is_ok(), "{line}"),
+            "cloth" => assert!(masse::scenarios::preset::cloth(name).is_ok(), "{line}"),
+            _ => panic!("{line}"),
+        }
+        assert!(words.next().is_some(), "no title: {line}");
+        kinds.push(kind);
     }
+    kinds.dedup();
+    assert_eq!(kinds, ["scene", "preset", "cloth"]);
 }
 
 #[test]
@@ -275,7 +287,7 @@ fn bad_scene_files_are_named_with_place_and_value() {
             "(table: TenFoot)".to_owned(),
             &["bad.ron:1:", "TenFoot", "NineFoot"],
         ),
-        ("(balls: [])".to_owned(), &["bad.ron:1:", "table"]),
+        ("(balls: [])".to_owned(), &["bad.ron: table", "preset"]),
         (
             "(table: NineFoot, balls: [])".to_owned(),
             &["balls", "0 balls"],

@@ -15,6 +15,7 @@ mod judge;
 mod judges;
 mod live_exact;
 mod practice;
+mod presets;
 mod properties;
 mod record_files;
 mod reference;

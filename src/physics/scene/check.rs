@@ -5,7 +5,7 @@ use std::fmt::{self, Display, Formatter};
 
 use glam::{DVec2, DVec3};
 
-use crate::physics::laws::Check;
+use crate::physics::laws::{Check, Parameter};
 use crate::physics::scene::{Scene, SceneBall, SceneError, Solver};
 use crate::physics::table::Cushion;
 
@@ -323,15 +323,22 @@ fn in_play(ball: &SceneBall) -> bool {
 
 fn check_parameters(parent: &str, checked: &impl Check) -> Result<(), SceneError> {
     for parameter in checked.parameters() {
-        let parameter = parameter.within(parent);
-        within_basis(
-            &parameter.field,
-            parameter.value,
-            (parameter.least, parameter.most),
-            parameter.basis,
-        )?;
+        check_parameter(&parameter.within(parent))?;
     }
     Ok(())
+}
+
+/// Holds a parameter against its range.
+///
+/// # Errors
+/// [`SceneError::NotFinite`] or [`SceneError::OutOfRange`] with the field, the value and the source of the range.
+pub fn check_parameter(parameter: &Parameter) -> Result<(), SceneError> {
+    within_basis(
+        &parameter.field,
+        parameter.value,
+        (parameter.least, parameter.most),
+        parameter.basis,
+    )
 }
 
 /// The path of a field in a list. It is written out only for an error: scenes are checked before every preview.

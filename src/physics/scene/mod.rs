@@ -4,7 +4,7 @@ mod check;
 mod error;
 mod rack;
 
-pub use check::{OVERLAP_TOLERANCE, within};
+pub use check::{OVERLAP_TOLERANCE, check_parameter, within};
 pub use error::SceneError;
 pub use rack::Rack;
 

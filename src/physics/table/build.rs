@@ -2,6 +2,7 @@
 
 use glam::DVec2;
 
+use crate::physics::laws::{Check, Parameter};
 use crate::physics::table::{Arc, Cushion, Line, Nose, Pocket, Table};
 
 /// One kind of pocket mouth.
@@ -25,6 +26,9 @@ impl Mouth {
         self.jaw_radius * libm::tan(0.5 * (std::f64::consts::PI - self.cut_angle))
     }
 }
+
+/// Least length of a facing in m behind a jaw that reaches back farther than the cushion.
+const THROAT: f64 = 0.005;
 
 /// The measures of a table with six pockets.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -108,7 +112,7 @@ impl PocketedTable {
             }));
             cushions.push(Cushion::Line(Line {
                 from: point + trim * facing,
-                to: point + self.cushion_depth / libm::sin(turn) * facing,
+                to: point + (self.cushion_depth / libm::sin(turn)).max(trim + THROAT) * facing,
             }));
         }
     }
@@ -137,5 +141,49 @@ impl PocketedTable {
             }
         }
         pockets
+    }
+}
+
+impl Check for PocketedTable {
+    fn parameters(&self) -> Vec<Parameter> {
+        let mut parameters = vec![
+            Parameter::new("length", self.length, 0.5, 20.0).basis("m; 9 ft pool 2.54, WPA"),
+            Parameter::new("width", self.width, 0.25, 10.0).basis("m; 9 ft pool 1.27, WPA"),
+            Parameter::new("nose_height", self.nose_height, 1e-3, 0.5)
+                .basis("m; 62.5 to 64.5 % of the diameter of a ball, WPA"),
+            Parameter::new("cushion_depth", self.cushion_depth, 1e-3, 0.5)
+                .basis("m; 0.0476 to 0.0508, WPA"),
+        ];
+        let measures = [
+            ("corner", &self.corner, "m; 0.114 to 0.118, WPA", 95.0),
+            ("side", &self.side, "m; 0.127 to 0.131, WPA", 90.0),
+        ];
+        for (name, mouth, width, least) in measures {
+            // As it was written: degrees that went to radians and back lose their last digit.
+            let angle = (1e9 * mouth.cut_angle.to_degrees()).round() / 1e9;
+            let of_mouth = [
+                Parameter::new("width", mouth.width, 0.02, 0.5).basis(width),
+                Parameter::new("cut_angle_deg", angle, least, 170.0)
+                    .basis("°; corner 141 to 143, side 103 to 105, WPA"),
+                Parameter::new("jaw_radius", mouth.jaw_radius, 0.0, 0.5).basis("m"),
+                Parameter::new("hole_radius", mouth.hole_radius, 0.01, 0.5)
+                    .basis("m; 0.070 at a corner, 0.076 at a side, Alciatore, TP 3.6 and 3.5"),
+                Parameter::new("shelf", mouth.shelf, 0.0, 0.2)
+                    .basis("m; corner 0.025 to 0.057, side 0 to 0.0095, WPA"),
+            ];
+            parameters.extend(of_mouth.map(|parameter| parameter.within(name)));
+        }
+        // What the mouths and their jaws leave of the noses.
+        let corner = self.corner.width * std::f64::consts::FRAC_1_SQRT_2 + self.corner.trim();
+        let long = 0.5 * (self.length - self.side.width) - self.side.trim() - corner;
+        let short = self.width - 2.0 * corner;
+        for (name, left) in [
+            ("nose beside the side pocket", long),
+            ("nose across", short),
+        ] {
+            parameters
+                .push(Parameter::new(name, left, 0.01, 20.0).basis("m left between two pockets"));
+        }
+        parameters
     }
 }

@@ -4,6 +4,7 @@ use glam::{DVec2, DVec3};
 use serde::{Deserialize, Serialize};
 
 use crate::physics::ball::{Ball, Motion, State};
+use crate::physics::equipment::BallSet;
 use crate::physics::laws::Laws;
 use crate::physics::scene::{Rack, Scene, SceneBall, within};
 use crate::physics::table::Table;
@@ -12,7 +13,7 @@ use crate::scenarios::file::error::{FieldError, LayoutError};
 /// Constants of a ball; what is absent is left to the default.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
-pub(super) struct BallConstants {
+pub(in crate::scenarios) struct BallConstants {
     #[serde(skip_serializing_if = "Option::is_none")]
     mass: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -22,7 +23,7 @@ pub(super) struct BallConstants {
 }
 
 impl BallConstants {
-    pub(super) fn or(self, default: Ball) -> Ball {
+    pub(in crate::scenarios) fn or(self, default: Ball) -> Ball {
         Ball {
             mass: self.mass.unwrap_or(default.mass),
             radius: self.radius.unwrap_or(default.radius),
@@ -86,14 +87,14 @@ impl BallEntry {
         self,
         i: usize,
         scene: &Scene,
-        default: Ball,
+        balls: &BallSet,
     ) -> Result<SceneBall, LayoutError> {
         let given = BallConstants {
             mass: self.mass,
             radius: self.radius,
             spins: self.spins,
         };
-        let ball = given.or(default);
+        let ball = given.or(balls.named(&self.name));
         let plan = match (self.position, self.diamonds) {
             (Some(position), None) => position,
             (None, Some(diamonds)) => from_diamonds(&scene.table, diamonds),
@@ -163,13 +164,14 @@ impl Default for Racked {
 }
 
 impl RackEntry {
-    pub(super) fn place(self, scene: &mut Scene, ball: Ball) -> Result<(), LayoutError> {
+    pub(super) fn place(self, scene: &mut Scene, balls: &BallSet) -> Result<(), LayoutError> {
         let (rack, Racked { gap, seed }) = match self {
             Self::EightBall(racked) => (Rack::EightBall, racked),
             Self::NineBall(racked) => (Rack::NineBall, racked),
         };
         within("rack.gap", gap, 0.0, 1.0)?;
-        rack.place(scene, ball, gap, seed);
+        rack.place(scene, balls.object, gap, seed);
+        balls.exchange(scene);
         Ok(())
     }
 }

@@ -73,7 +73,11 @@ impl FileError {
     /// Characters of a line shown on each side of a mistake.
     const AROUND: usize = 50;
 
-    pub(super) fn syntax(file: &str, text: &str, error: &ron::error::SpannedError) -> Self {
+    pub(in crate::scenarios) fn syntax(
+        file: &str,
+        text: &str,
+        error: &ron::error::SpannedError,
+    ) -> Self {
         // The end of the span is where the reader stopped: at the value it could not take.
         let place = error.span.end;
         let line = text.lines().nth(place.line.saturating_sub(1)).unwrap_or("");
@@ -134,6 +138,53 @@ pub enum FieldError {
         /// The name found.
         name: String,
     },
+    /// A preset or a cloth is named that is not there.
+    #[error("{field}: there is no {what} and no file `{name}`; built in are {known}")]
+    Unknown {
+        /// The field.
+        field: &'static str,
+        /// What was looked for.
+        what: &'static str,
+        /// The name found.
+        name: String,
+        /// The names that are built in.
+        known: String,
+    },
+    /// There is neither a table nor a preset that brings one.
+    #[error("table: a `table` is needed, or a `preset` that has one")]
+    NoTable,
+    /// Presets that are made from each other.
+    #[error("preset: `{name}` is made from itself, or from more than {most} others")]
+    Circle {
+        /// The name found.
+        name: String,
+        /// Longest chain of presets.
+        most: usize,
+    },
+    /// A single number is set that is not there.
+    #[error("set: there is no number `{path}`; `{parent}` has {known}")]
+    NoSuchNumber {
+        /// The path found.
+        path: String,
+        /// The part of the path that is known.
+        parent: String,
+        /// What could follow.
+        known: String,
+    },
+    /// A tip whose restitution is not that of its kind.
+    #[error(
+        "cue.tip_restitution: {value} is not allowed, a {kind} tip has {least} to {most} (Alciatore, FAQ on cue tips)"
+    )]
+    Tip {
+        /// The kind of tip.
+        kind: &'static str,
+        /// The value found.
+        value: f64,
+        /// Least value measured.
+        least: f64,
+        /// Greatest value measured.
+        most: f64,
+    },
     /// There is not enough room for a fill.
     #[error("fill.count: {count} balls do not fit on the table, {placed} do")]
     NoRoom {
@@ -154,21 +205,24 @@ pub enum FieldError {
     },
 }
 
-/// A scene that cannot be made of a file, before the file is named.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) enum LayoutError {
+/// A scene or a preset that cannot be made of a file, before the file is named.
+#[derive(Debug)]
+pub(in crate::scenarios) enum LayoutError {
     /// A field of the file.
     Field(FieldError),
     /// A field of the scene.
     Scene(SceneError),
+    /// Another file that this one needs.
+    File(Box<FileError>),
 }
 
 impl LayoutError {
-    pub(super) fn in_file(self, file: &str) -> FileError {
+    pub(in crate::scenarios) fn in_file(self, file: &str) -> FileError {
         let file = file.to_owned();
         match self {
             Self::Field(problem) => FileError::Field { file, problem },
             Self::Scene(problem) => FileError::Scene { file, problem },
+            Self::File(error) => *error,
         }
     }
 }
@@ -176,6 +230,12 @@ impl LayoutError {
 impl From<FieldError> for LayoutError {
     fn from(error: FieldError) -> Self {
         Self::Field(error)
+    }
+}
+
+impl From<FileError> for LayoutError {
+    fn from(error: FileError) -> Self {
+        Self::File(Box::new(error))
     }
 }
 

@@ -1,9 +1,10 @@
 //! The file as a whole.
 
+use std::collections::BTreeMap;
+use std::path::Path;
+
 use serde::{Deserialize, Serialize};
 
-use crate::physics::ball::Ball;
-use crate::physics::cue::Cue;
 use crate::physics::scene::{Scene, Solver};
 use crate::scenarios::file::Scenario;
 use crate::scenarios::file::balls::{BallConstants, BallEntry, RackEntry};
@@ -11,6 +12,7 @@ use crate::scenarios::file::error::{FieldError, LayoutError};
 use crate::scenarios::file::fill::Fill;
 use crate::scenarios::file::shot::ShotEntry;
 use crate::scenarios::file::surroundings::{LawsEntry, TableEntry};
+use crate::scenarios::preset::{CueEntry, Outfit};
 
 /// A scene file.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -25,14 +27,27 @@ pub(super) struct SceneFile {
     /// What to look at.
     #[serde(default)]
     pub(super) description: String,
-    table: TableEntry,
+    /// Name or file of a preset, see [`crate::scenarios::preset`].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    preset: Option<String>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    table: Option<TableEntry>,
+    /// Name or file of a cloth.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    cloth: Option<String>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    laws: Option<LawsEntry>,
     #[serde(default)]
-    laws: LawsEntry,
-    #[serde(default)]
-    cue: Cue,
+    cue: CueEntry,
     /// Constants of every ball that does not give its own.
     #[serde(default)]
     ball: BallConstants,
+    /// Constants of the ball named `cue`.
+    #[serde(default)]
+    cue_ball: BallConstants,
+    /// Single numbers by their paths.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    set: BTreeMap<String, f64>,
     /// A rack on the foot spot, with a cue ball on the head spot. A ball of `balls` with the name of a racked one
     /// takes its place.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -67,10 +82,14 @@ impl SceneFile {
             version: Self::version(),
             title: scenario.title.clone(),
             description: scenario.description.clone(),
-            table: TableEntry::of(&scene.table),
-            laws: LawsEntry::of(&scene.laws),
-            cue: scene.cue,
+            preset: None,
+            table: Some(TableEntry::of(&scene.table)),
+            cloth: None,
+            laws: Some(LawsEntry::of(&scene.laws)),
+            cue: CueEntry::of(&scene.cue),
             ball: BallConstants::default(),
+            cue_ball: BallConstants::default(),
+            set: BTreeMap::new(),
             rack: None,
             balls: scene
                 .balls
@@ -86,26 +105,44 @@ impl SceneFile {
         }
     }
 
-    /// The scene, checked.
-    pub(super) fn into_scene(self) -> Result<Scene, LayoutError> {
+    /// The preset that the file names.
+    pub(super) fn preset(&self) -> Option<String> {
+        self.preset.clone()
+    }
+
+    /// The scene, checked; `folder` is where the file lies.
+    pub(super) fn into_scene(self, folder: &Path) -> Result<Scene, LayoutError> {
         if self.version != Self::version() {
             return Err(FieldError::Version {
                 version: self.version,
             }
             .into());
         }
-        let mut scene = Scene::new(self.table.table(), self.laws.laws());
-        scene.cue = self.cue;
+        if self.table.is_none() && self.preset.is_none() {
+            return Err(FieldError::NoTable.into());
+        }
+        let outfit = Outfit {
+            base: self.preset,
+            table: self.table,
+            cloth: self.cloth,
+            laws: self.laws,
+            ball: self.ball,
+            cue_ball: self.cue_ball,
+            cue: self.cue,
+            set: self.set,
+        };
+        let (equipment, _) = outfit.equipment(folder)?;
+        let balls = equipment.balls;
+        let mut scene = equipment.scene();
         scene.solver = self.solver.unwrap_or(scene.solver);
         scene.time_limit = self.time_limit;
         scene.check_surroundings()?;
-        let ball = self.ball.or(Ball::POOL);
         if let Some(rack) = &self.rack {
-            rack.place(&mut scene, ball)?;
+            rack.place(&mut scene, &balls)?;
         }
         let racked = scene.balls.len();
         for (i, entry) in self.balls.into_iter().enumerate() {
-            let placed = entry.ball(i, &scene, ball)?;
+            let placed = entry.ball(i, &scene, &balls)?;
             match scene.balls[..racked]
                 .iter_mut()
                 .find(|other| other.name == placed.name)
@@ -115,7 +152,7 @@ impl SceneFile {
             }
         }
         if let Some(fill) = &self.fill {
-            fill.place(&mut scene, ball)?;
+            fill.place(&mut scene, balls.object)?;
         }
         scene.shot = match &self.shot {
             Some(shot) => Some(shot.planned(&scene)?),

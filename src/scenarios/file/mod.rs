@@ -6,8 +6,12 @@
 //! ```ron
 //! (
 //!     title: "Stop shot",
-//!     table: NineFoot,                       // EightFoot, SevenFoot, Carom, Box(length: 2, width: 1), Full(...)
+//!     preset: "pool",                        // table, laws, balls and cue: see `crate::scenarios::preset`
+//!     table: NineFoot,                       // EightFoot, SevenFoot, Snooker, Carom, Box(length: 2, width: 1),
+//!                                            // Pocketed(...) by the measures of a maker, Full(...) line by line
+//!     cloth: "fast",                         // medium, slow, or a cloth file
 //!     laws: Pool,                            // Ideal, Coursework, Custom(base: Pool, cushion: Mirror())
+//!     set: {"laws.cushion.restitution": 0.9}, // single numbers, over all that stands above
 //!     balls: [
 //!         (name: "cue", position: (-0.635, 0)),
 //!         (name: "1", diamonds: (2, 4)),
@@ -16,19 +20,22 @@
 //! )
 //! ```
 //!
+//! A file needs a `preset` or a `table`; what both give, the file's own word decides.
+//!
 //! The text is read into structs of this module, which mirror the file and nothing else, and is then
 //! converted into a [`Scene`] and checked. The parts that describe a law, a cue or a solver are the structs of the
 //! physics itself, so that a new law can be named in a file without a change here.
 
-mod balls;
+pub(in crate::scenarios) mod balls;
 mod error;
 mod fill;
 mod layout;
 mod shot;
-mod surroundings;
+pub(in crate::scenarios) mod surroundings;
 #[cfg(test)]
 mod tests;
 
+pub(in crate::scenarios) use error::LayoutError;
 pub use error::{FieldError, FileError};
 
 use std::io::Read;
@@ -36,8 +43,10 @@ use std::path::Path;
 
 use ron::extensions::Extensions;
 use ron::ser::PrettyConfig;
+use serde::de::DeserializeOwned;
 
 use crate::physics::scene::Scene;
+use crate::scenarios::preset;
 use layout::SceneFile;
 
 /// A scene with what a person calls it.
@@ -47,6 +56,8 @@ pub struct Scenario {
     pub title: String,
     /// What to look at; may be empty.
     pub description: String,
+    /// The preset it is played with, if it names one: a built-in name, or the path of a file.
+    pub preset: Option<String>,
     /// The scene, checked.
     pub scene: Scene,
 }
@@ -59,6 +70,11 @@ const LARGEST: u64 = 1 << 28;
 /// # Errors
 /// [`FileError`] if it cannot be read, is not a scene file or describes a scene that cannot be played.
 pub fn read(path: &Path) -> Result<Scenario, FileError> {
+    parse(&text_of(path)?, &path.display().to_string())
+}
+
+/// The text of a file.
+pub(in crate::scenarios) fn text_of(path: &Path) -> Result<String, FileError> {
     let file = path.display().to_string();
     let unreadable = |source| FileError::Read {
         file: file.clone(),
@@ -74,11 +90,10 @@ pub fn read(path: &Path) -> Result<Scenario, FileError> {
             most: LARGEST,
         });
     }
-    let text = String::from_utf8(bytes).map_err(|error| FileError::NotText {
+    String::from_utf8(bytes).map_err(|error| FileError::NotText {
         file: file.clone(),
         byte: error.utf8_error().valid_up_to(),
-    })?;
-    parse(&text, &file)
+    })
 }
 
 /// Reads and checks the text of a scene file; `file` is what errors call it.
@@ -88,10 +103,15 @@ pub fn read(path: &Path) -> Result<Scenario, FileError> {
 pub fn parse(text: &str, file: &str) -> Result<Scenario, FileError> {
     let layout = layout(text, file)?;
     let (title, description) = (layout.title.clone(), layout.description.clone());
-    let scene = layout.into_scene().map_err(|error| error.in_file(file))?;
+    let preset = layout.preset();
+    let folder = Path::new(file).parent().unwrap_or(Path::new(""));
+    let scene = layout
+        .into_scene(folder)
+        .map_err(|error| error.in_file(file))?;
     Ok(Scenario {
         title,
         description,
+        preset: preset.map(|name| preset::located(&name, folder)),
         scene,
     })
 }
@@ -105,6 +125,14 @@ pub fn title(text: &str, file: &str) -> Result<String, FileError> {
 }
 
 fn layout(text: &str, file: &str) -> Result<SceneFile, FileError> {
+    spelled(text, file)
+}
+
+/// What a RON text says.
+pub(in crate::scenarios) fn spelled<T: DeserializeOwned>(
+    text: &str,
+    file: &str,
+) -> Result<T, FileError> {
     dialect()
         .from_str(text)
         .map_err(|error| FileError::syntax(file, text, &error))

@@ -100,6 +100,7 @@ fn name(preset: &Preset) -> &'static str {
         Preset::NineFoot => "9 ft pool",
         Preset::EightFoot => "8 ft pool",
         Preset::SevenFoot => "7 ft pool",
+        Preset::Snooker => "12 ft snooker",
         Preset::Carom => "Carom",
         Preset::Box { .. } => "Box",
     }

@@ -1,0 +1,126 @@
+//! Single numbers of an equipment, set by the path that error messages use: `laws.cushion.restitution`.
+//!
+//! The numbers are found through their serialized form, so a new law needs nothing here. The name of the law in use is
+//! not part of a path.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+
+use crate::physics::ball::Ball;
+use crate::physics::cue::Cue;
+use crate::physics::equipment::Equipment;
+use crate::physics::laws::Laws;
+use crate::physics::scene::SceneError;
+use crate::scenarios::file::{FieldError, LayoutError};
+
+/// Numbers by their paths.
+pub(super) type Numbers = BTreeMap<String, f64>;
+
+/// What can be set.
+#[derive(Serialize, Deserialize)]
+struct Settable {
+    table: SettableTable,
+    laws: Laws,
+    cue: Cue,
+    ball: Ball,
+    cue_ball: Ball,
+}
+
+/// Of a table only what does not move its noses and pockets.
+#[derive(Serialize, Deserialize)]
+struct SettableTable {
+    nose_height: f64,
+}
+
+/// Sets these numbers.
+pub(super) fn set(equipment: &mut Equipment, numbers: &Numbers) -> Result<(), LayoutError> {
+    if numbers.is_empty() {
+        return Ok(());
+    }
+    let all = Settable {
+        table: SettableTable {
+            nose_height: equipment.table.nose_height,
+        },
+        laws: equipment.laws,
+        cue: equipment.cue,
+        ball: equipment.balls.object,
+        cue_ball: equipment.balls.cue,
+    };
+    let unwritable = |error: serde_json::Error| {
+        let message = error.to_string();
+        LayoutError::from(crate::scenarios::file::FileError::Write { message })
+    };
+    let mut tree = serde_json::to_value(all).map_err(unwritable)?;
+    for (path, &value) in numbers {
+        if !value.is_finite() {
+            let field = path.clone();
+            return Err(SceneError::NotFinite { field, value }.into());
+        }
+        *number(&mut tree, path)? = Value::from(value);
+    }
+    let all: Settable = serde_json::from_value(tree).map_err(unwritable)?;
+    equipment.table.nose_height = all.table.nose_height;
+    equipment.laws = all.laws;
+    equipment.cue = all.cue;
+    equipment.balls.object = all.ball;
+    equipment.balls.cue = all.cue_ball;
+    Ok(())
+}
+
+/// The place of the number with this path.
+fn number<'a>(tree: &'a mut Value, path: &str) -> Result<&'a mut Value, FieldError> {
+    let mut place = tree;
+    let mut walked: Vec<&str> = Vec::new();
+    for name in path.split('.') {
+        let known = names(place);
+        let parent = walked.join(".");
+        place = inside(place)
+            .get_mut(name)
+            .ok_or_else(|| FieldError::NoSuchNumber {
+                path: path.to_owned(),
+                parent: if parent.is_empty() {
+                    "set".to_owned()
+                } else {
+                    parent
+                },
+                known,
+            })?;
+        walked.push(name);
+    }
+    let known = names(place);
+    let place = inside(place);
+    if place.is_number() {
+        return Ok(place);
+    }
+    Err(FieldError::NoSuchNumber {
+        path: path.to_owned(),
+        parent: path.to_owned(),
+        known,
+    })
+}
+
+/// What is inside the name of a law: `{"Mirror": {…}}` becomes `{…}`.
+fn inside(mut place: &mut Value) -> &mut Value {
+    while let Some(law) = law(place) {
+        place = &mut place[law.as_str()];
+    }
+    place
+}
+
+/// The name of the law that this is.
+fn law(place: &Value) -> Option<String> {
+    let fields = place.as_object().filter(|fields| fields.len() == 1)?;
+    let name = fields.keys().next()?;
+    name.starts_with(|c: char| c.is_ascii_uppercase())
+        .then(|| name.clone())
+}
+
+/// The names of what is inside, for an error.
+fn names(place: &mut Value) -> String {
+    match inside(place) {
+        Value::Object(fields) => fields.keys().cloned().collect::<Vec<_>>().join(", "),
+        _ => "no numbers inside".to_owned(),
+    }
+}
