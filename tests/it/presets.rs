@@ -13,7 +13,7 @@ use masse::physics::table::{Preset as TablePreset, Table};
 use masse::scenarios::preset::{self, Preset};
 use masse::scenarios::{file, library};
 
-use crate::cli::{err, folder, masse, output};
+use crate::cli::{err, folder, masse, out, output};
 use crate::closeness::assert_close;
 
 fn built_in(name: &str) -> Preset {
@@ -367,4 +367,28 @@ fn the_command_line_equips_a_scene_and_warns_of_the_cue() {
         "{}",
         err(&low)
     );
+}
+
+#[test]
+fn list_names_one_thing_a_line() {
+    let listed = output(masse().arg("list"));
+    assert_eq!(listed.status.code(), Some(0));
+    let text = out(&listed);
+    assert!(text.lines().count() >= 15, "{text}");
+    let mut kinds = Vec::new();
+    for line in text.lines() {
+        let mut words = line.split_whitespace();
+        let name = words.next().expect("a name");
+        let kind = words.next().expect("what it is");
+        match kind {
+            "scene" => assert!(masse::scenarios::library::open(name).is_ok(), "{line}"),
+            "preset" => assert!(masse::scenarios::preset::open(name).is_ok(), "{line}"),
+            "cloth" => assert!(masse::scenarios::preset::cloth(name).is_ok(), "{line}"),
+            _ => panic!("{line}"),
+        }
+        assert!(words.next().is_some(), "no title: {line}");
+        kinds.push(kind);
+    }
+    kinds.dedup();
+    assert_eq!(kinds, ["scene", "preset", "cloth"]);
 }

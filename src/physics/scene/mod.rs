@@ -3,10 +3,12 @@
 mod check;
 mod error;
 mod rack;
+mod range;
 
-pub use check::{OVERLAP_TOLERANCE, check_parameter, within};
+pub use check::OVERLAP_TOLERANCE;
 pub use error::SceneError;
 pub use rack::Rack;
+pub use range::{check_parameter, within};
 
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
