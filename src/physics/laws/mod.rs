@@ -10,6 +10,8 @@ pub mod cue_ball;
 pub mod cushion;
 pub mod motion;
 pub mod pocket;
+pub mod restitution;
+mod rub;
 pub mod slate;
 
 use glam::DVec2;
@@ -148,7 +150,9 @@ impl Laws {
         Self {
             motion: MotionLaw::Frictionless,
             ball_ball: BallBallLaw::Frictionless(ball_ball::Frictionless { restitution: 1.0 }),
-            cushion: CushionLaw::Mirror(cushion::Mirror { restitution: 1.0 }),
+            cushion: CushionLaw::Mirror(cushion::Mirror {
+                restitution: 1.0.into(),
+            }),
             slate: SlateLaw::default(),
             pocket: PocketLaw::default(),
         }

@@ -228,6 +228,6 @@ mod tests {
         let CushionLaw::Han2005(han) = laws.cushion else {
             panic!("{:?}", laws.cushion);
         };
-        assert_eq!((han.restitution, han.friction), (0.85, 0.3));
+        assert_eq!((han.restitution, han.friction), (0.85.into(), 0.3.into()));
     }
 }

@@ -39,7 +39,7 @@ pub fn smooth(balls: f64, cushions: f64) -> Laws {
         motion: MotionLaw::Frictionless,
         ball_ball: BallBallLaw::Frictionless(Frictionless { restitution: balls }),
         cushion: CushionLaw::Mirror(Mirror {
-            restitution: cushions,
+            restitution: cushions.into(),
         }),
         ..Laws::ideal()
     }

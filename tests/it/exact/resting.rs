@@ -77,7 +77,9 @@ fn h1_inelastic_rows_come_to_rest_on_cloth() {
 #[test]
 fn h2_a_pressed_ball_rests_against_the_cushion() {
     for cushion in [
-        CushionLaw::Mirror(Mirror { restitution: 0.8 }),
+        CushionLaw::Mirror(Mirror {
+            restitution: 0.8.into(),
+        }),
         Laws::default().cushion,
     ] {
         for speed in [0.0, 0.5] {

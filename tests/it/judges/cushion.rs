@@ -23,8 +23,8 @@ fn across(nose_height: f64) -> CushionContact {
 
 fn han(restitution: f64, friction: f64) -> CushionLaw {
     CushionLaw::Han2005(Han2005 {
-        restitution,
-        friction,
+        restitution: restitution.into(),
+        friction: friction.into(),
     })
 }
 
@@ -36,7 +36,9 @@ fn rebound(law: &CushionLaw, state: &State, nose_height: f64) -> State {
 fn the_mirror_turns_the_normal_velocity_and_nothing_else() {
     let spin = DVec3::new(5.0, -20.0, 30.0);
     for restitution in [0.0, 0.5, 0.85, 1.0] {
-        let law = CushionLaw::Mirror(Mirror { restitution });
+        let law = CushionLaw::Mirror(Mirror {
+            restitution: restitution.into(),
+        });
         let before = moving(DVec3::new(2.0, 0.0, 0.7), spin);
         let after = law.rebound(&BALL, &before, &across(0.0366));
         assert_close(

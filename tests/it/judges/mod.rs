@@ -5,6 +5,7 @@ mod collision;
 mod cue_ball;
 mod cushion;
 mod free_motion;
+mod mathavan;
 mod symmetry;
 mod thirty_degrees;
 mod throw;

@@ -4,7 +4,7 @@ use glam::DVec3;
 use proptest::prelude::*;
 
 use masse::physics::ball::{Ball, State};
-use masse::physics::laws::ball_ball::PairContact;
+use masse::physics::laws::ball_ball::{BallBallLaw, PairContact};
 
 use super::inputs::{ball_and_state, ball_ball_law, horizontal, share};
 use super::{assert_no_gain, cases};
@@ -38,6 +38,10 @@ proptest! {
 
     #[test]
     fn momentum_is_kept(law in ball_ball_law(), a in ball_and_state(), b in ball_and_state(), contact in contact()) {
+        // The cloth under pressed balls takes momentum.
+        if matches!(law, BallBallLaw::Mathavan2014(_)) {
+            return Ok(());
+        }
         let after = law.collide((&a.0, &a.1), (&b.0, &b.1), &contact);
         let before = momentum((&a.0, &a.1), (&b.0, &b.1));
         let lost = momentum((&a.0, &after.first), (&b.0, &after.second)) - before;
@@ -50,6 +54,10 @@ proptest! {
     fn the_balls_part_with_the_restitution_asked_for(
         law in ball_ball_law(), a in ball_and_state(), b in ball_and_state(), contact in contact(),
     ) {
+        // Energetic restitution is that of speeds only where nothing but the balls works on them.
+        if matches!(law, BallBallLaw::Mathavan2014(_)) {
+            return Ok(());
+        }
         let closing = (a.1.velocity - b.1.velocity).dot(contact.normal);
         let after = law.collide((&a.0, &a.1), (&b.0, &b.1), &contact);
         let parting = (after.second.velocity - after.first.velocity).dot(contact.normal);

@@ -6,10 +6,11 @@ use proptest::sample::select;
 
 use masse::physics::ball::{Ball, State};
 use masse::physics::laws::Check;
-use masse::physics::laws::ball_ball::{BallBallLaw, Friction, PeerCap};
+use masse::physics::laws::ball_ball::{BallBallLaw, Friction, Mathavan2014, PeerCap};
 use masse::physics::laws::coursework::Coursework;
 use masse::physics::laws::cushion::CushionLaw;
 use masse::physics::laws::motion::MotionLaw;
+use masse::physics::laws::restitution::{NoseFriction, Restitution};
 use masse::physics::laws::slate::SlateLaw;
 
 /// A number between -`most` and `most`, often zero, often tiny.
@@ -78,8 +79,9 @@ pub fn ball_ball_law() -> impl Strategy<Value = BallBallLaw> {
         any::<bool>(),
         share(1.0),
         friction,
+        share(2.0),
     )
-        .prop_map(|(mut law, vary, restitution, friction)| {
+        .prop_map(|(mut law, vary, restitution, friction, cloth)| {
             match &mut law {
                 _ if !vary => {}
                 BallBallLaw::Frictionless(law) => law.restitution = restitution,
@@ -87,16 +89,43 @@ pub fn ball_ball_law() -> impl Strategy<Value = BallBallLaw> {
                     law.restitution = restitution;
                     law.friction = friction;
                 }
+                BallBallLaw::Mathavan2014(law) => {
+                    *law = Mathavan2014 {
+                        restitution,
+                        friction,
+                        sliding: cloth,
+                    };
+                }
             }
             allowed(law)
         })
 }
 
+/// Any restitution of a cushion.
+fn restitution() -> impl Strategy<Value = Restitution> {
+    prop_oneof![
+        3 => share(1.0).prop_map(Restitution::Constant),
+        1 => (share(2.0), -10.0..10.0_f64, share(1.0)).prop_map(|(at_rest, fall, floor)| {
+            Restitution::Linear { at_rest, fall, floor }
+        }),
+        1 => Just(Restitution::HAN),
+    ]
+}
+
+/// Any friction of a cushion.
+fn nose_friction() -> impl Strategy<Value = NoseFriction> {
+    prop_oneof![
+        3 => share(2.0).prop_map(NoseFriction::Constant),
+        1 => (share(2.0), -2.0..2.0_f64).prop_map(|(head_on, fall)| NoseFriction::ByAngle { head_on, fall }),
+        1 => Just(NoseFriction::HAN),
+    ]
+}
+
 /// Every cushion law, with its own and with any allowed parameters.
 pub fn cushion_law() -> impl Strategy<Value = CushionLaw> {
-    let numbers = (share(1.0), share(2.0), 1.01..1.99_f64);
+    let numbers = (restitution(), nose_friction(), share(2.0), 1.01..1.99_f64);
     (select(CushionLaw::all()), any::<bool>(), numbers).prop_map(
-        |(mut law, vary, (restitution, friction, frequency_ratio))| {
+        |(mut law, vary, (restitution, friction, plain, frequency_ratio))| {
             match &mut law {
                 _ if !vary => {}
                 CushionLaw::Mirror(law) => law.restitution = restitution,
@@ -104,9 +133,18 @@ pub fn cushion_law() -> impl Strategy<Value = CushionLaw> {
                     law.restitution = restitution;
                     law.friction = friction;
                 }
-                CushionLaw::Stronge2018(law) => {
+                CushionLaw::Impulse(law) => {
                     law.restitution = restitution;
                     law.friction = friction;
+                }
+                CushionLaw::Mathavan2010(law) => {
+                    law.restitution = restitution;
+                    law.friction = friction;
+                    law.sliding = plain;
+                }
+                CushionLaw::Stronge2018(law) => {
+                    law.restitution = restitution;
+                    law.friction = plain;
                     law.frequency_ratio = frequency_ratio;
                 }
             }

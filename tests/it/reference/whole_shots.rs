@@ -185,10 +185,10 @@ impl File {
         };
         let cushion = match self.models.cushion.model.as_str() {
             "unrealistic" => CushionLaw::Mirror(Mirror {
-                restitution: parameters.e_c,
+                restitution: parameters.e_c.into(),
             }),
             "stronge_compliant" => CushionLaw::Stronge2018(Stronge2018 {
-                restitution: parameters.e_c,
+                restitution: parameters.e_c.into(),
                 friction: parameters.f_c,
                 frequency_ratio: self.models.cushion.omega_ratio.expect("its ratio is given"),
                 inclination: Inclination::Peer,

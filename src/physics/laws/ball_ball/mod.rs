@@ -3,11 +3,13 @@
 mod friction;
 mod frictional;
 mod frictionless;
+mod mathavan_2014;
 mod peer_cap;
 
 pub use friction::Friction;
 pub use frictional::Frictional;
 pub use frictionless::Frictionless;
+pub use mathavan_2014::Mathavan2014;
 pub use peer_cap::PeerCap;
 
 use glam::DVec3;
@@ -73,6 +75,8 @@ pub enum BallBallLaw {
     Frictionless(Frictionless),
     /// Impulse along the line of centres and Coulomb friction across it: throw and spin transfer.
     Frictional(Frictional),
+    /// As `Frictional`, with the friction of the cloth under balls that press each other down.
+    Mathavan2014(Mathavan2014),
     /// As `Frictional` with the peer pooltool's limit of friction; for comparison only.
     PeerCap(PeerCap),
 }
@@ -84,6 +88,7 @@ impl BallBallLaw {
         vec![
             Self::Frictionless(Frictionless::default()),
             Self::Frictional(Frictional::default()),
+            Self::Mathavan2014(Mathavan2014::default()),
             Self::PeerCap(PeerCap::default()),
         ]
     }
@@ -100,6 +105,7 @@ impl BallBallLaw {
         let mut outcome = match self {
             Self::Frictionless(law) => law.collide(first, second, contact),
             Self::Frictional(law) => law.collide(1.0, first, second, contact),
+            Self::Mathavan2014(law) => law.collide(first, second, contact),
             Self::PeerCap(law) => law.collide(first, second, contact),
         };
         if contact.on_slate {
@@ -115,6 +121,7 @@ impl BallBallLaw {
         match self {
             Self::Frictionless(law) => law.restitution,
             Self::Frictional(law) | Self::PeerCap(PeerCap(law)) => law.restitution,
+            Self::Mathavan2014(law) => law.restitution,
         }
     }
 }
@@ -124,6 +131,7 @@ impl Check for BallBallLaw {
         match self {
             Self::Frictionless(law) => law.parameters(),
             Self::Frictional(law) => law.parameters(),
+            Self::Mathavan2014(law) => law.parameters(),
             Self::PeerCap(law) => law.parameters(),
         }
     }

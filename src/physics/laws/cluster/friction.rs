@@ -15,7 +15,7 @@ impl Cluster {
         let bounce = if inelastic {
             0.0
         } else {
-            Self::restitution(&contact, laws)
+            Self::restitution(&contact, laws, closing)
         };
         let impulse = (1.0 + bounce) * self.system.impulse[place];
         if closing <= STILL || impulse <= 0.0 {

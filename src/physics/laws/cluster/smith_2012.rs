@@ -169,12 +169,13 @@ impl Cluster {
         }
     }
 
-    pub(super) fn restitution(contact: &Touching, laws: &Laws) -> f64 {
+    /// Restitution of a contact that closes at this speed in m/s.
+    pub(super) fn restitution(contact: &Touching, laws: &Laws, closing: f64) -> f64 {
         contact
             .restitution
             .unwrap_or_else(|| match contact.against {
                 Against::Ball { .. } => laws.ball_ball.restitution(),
-                Against::Cushion { .. } => laws.cushion.restitution(),
+                Against::Cushion { .. } => laws.cushion.restitution(closing),
             })
     }
 
@@ -197,7 +198,7 @@ impl Cluster {
             let bounce = if inelastic {
                 0.0
             } else {
-                Self::restitution(&contact, laws)
+                Self::restitution(&contact, laws, self.system.closing[place])
             };
             let impulse = (1.0 + bounce) * self.system.impulse[place];
             self.contacts[index].impulse += impulse;

@@ -4,14 +4,15 @@
 //! (1 + e) m c, c the closing speed along the horizontal normal times cos θ; across it friction sticks with
 //! (2/7) m |s| or slides with μ times the normal impulse. The vertical part of the outcome is dropped.
 //!
-//! Source: Han, "Dynamics in carom and three cushion billiards", J. Mech. Sci. Tech. 19 (2005) 976, eqs 14 to 20,
-//! with constant e and μ. A ball pressed into the cloth by the nose feels no extra table friction here.
+//! Source: Han, "Dynamics in carom and three cushion billiards", J. Mech. Sci. Tech. 19 (2005) 976, eqs 14 to 20;
+//! his own fits of e and μ are [`Restitution::HAN`] and [`NoseFriction::HAN`]. A ball pressed into the cloth by the nose feels no extra table friction here.
 
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 use crate::physics::ball::{Ball, State};
 use crate::physics::laws::cushion::CushionContact;
+use crate::physics::laws::restitution::{NoseFriction, Restitution};
 use crate::physics::laws::{Check, Parameter};
 
 /// Han's cushion.
@@ -19,24 +20,23 @@ use crate::physics::laws::{Check, Parameter};
 #[serde(deny_unknown_fields, default)]
 pub struct Han2005 {
     /// Coefficient of restitution along the inclined normal, 0 to 1.
-    pub restitution: f64,
+    pub restitution: Restitution,
     /// Coefficient of friction between ball and rubber.
-    pub friction: f64,
+    pub friction: NoseFriction,
 }
 
 impl Default for Han2005 {
     /// The mean of Alciatore's ranges for pool cushions.
     fn default() -> Self {
         Self {
-            restitution: 0.85,
-            friction: 0.2,
+            restitution: 0.85.into(),
+            friction: 0.2.into(),
         }
     }
 }
 
 impl Han2005 {
     pub(super) fn rebound(&self, ball: &Ball, state: &State, contact: &CushionContact) -> State {
-        let restitution = contact.restitution.unwrap_or(self.restitution);
         // Han's axes: x into the cushion, z up, y = z × x.
         let x = -contact.normal;
         let z = DVec3::Y;
@@ -44,6 +44,10 @@ impl Han2005 {
         let (v, w) = (state.velocity, state.angular_velocity);
         let (v_x, v_y, v_z) = (v.dot(x), v.dot(y), v.dot(z));
         let (w_x, w_y, w_z) = (w.dot(x), w.dot(y), w.dot(z));
+        let restitution = contact
+            .restitution
+            .unwrap_or_else(|| self.restitution.at(v_x));
+        let friction = self.friction.at(v_x, v_y);
         let (m, r) = (ball.mass, ball.radius);
         let sin = contact.sine(ball);
         let cos = (1.0 - sin * sin).sqrt();
@@ -54,10 +58,10 @@ impl Han2005 {
         let slip = (s_x * s_x + s_y * s_y).sqrt();
         let normal = m * (1.0 + restitution) * v_x * cos;
         let sticking = (2.0 / 7.0) * m * slip;
-        let scale = if sticking <= self.friction * normal {
+        let scale = if sticking <= friction * normal {
             (2.0 / 7.0) * m
         } else {
-            self.friction * normal / slip
+            friction * normal / slip
         };
         let (p_xe, p_ye) = (s_x * scale, s_y * scale);
         let p_x = -p_xe * sin - normal * cos;
@@ -75,9 +79,8 @@ impl Han2005 {
 
 impl Check for Han2005 {
     fn parameters(&self) -> Vec<Parameter> {
-        vec![
-            Parameter::new("restitution", self.restitution, 0.0, 1.0).basis(super::RESTITUTION),
-            Parameter::new("friction", self.friction, 0.0, 2.0).basis(super::FRICTION),
-        ]
+        let mut parameters = self.restitution.parameters(super::RESTITUTION);
+        parameters.extend(self.friction.parameters(super::FRICTION));
+        parameters
     }
 }

@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::physics::ball::State;
 use crate::physics::laws::cushion::CushionContact;
+use crate::physics::laws::restitution::Restitution;
 use crate::physics::laws::{Check, Parameter};
 
 /// A wall.
@@ -14,26 +15,31 @@ use crate::physics::laws::{Check, Parameter};
 #[serde(deny_unknown_fields, default)]
 pub struct Mirror {
     /// Coefficient of restitution, 0 to 1.
-    pub restitution: f64,
+    pub restitution: Restitution,
 }
 
 impl Default for Mirror {
     fn default() -> Self {
-        Self { restitution: 0.85 }
+        Self {
+            restitution: 0.85.into(),
+        }
     }
 }
 
 impl Mirror {
     pub(super) fn rebound(&self, state: &State, contact: &CushionContact) -> State {
-        let restitution = contact.restitution.unwrap_or(self.restitution);
+        let closing = -state.velocity.dot(contact.normal);
+        let restitution = contact
+            .restitution
+            .unwrap_or_else(|| self.restitution.at(closing));
         let mut after = *state;
-        after.velocity -= (1.0 + restitution) * state.velocity.dot(contact.normal) * contact.normal;
+        after.velocity += (1.0 + restitution) * closing * contact.normal;
         after
     }
 }
 
 impl Check for Mirror {
     fn parameters(&self) -> Vec<Parameter> {
-        vec![Parameter::new("restitution", self.restitution, 0.0, 1.0).basis(super::RESTITUTION)]
+        self.restitution.parameters(super::RESTITUTION)
     }
 }

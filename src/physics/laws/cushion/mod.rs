@@ -1,17 +1,22 @@
 //! Impact of a ball and a cushion.
 
 mod han_2005;
+mod impulse;
+mod mathavan_2010;
 mod mirror;
 mod stronge_2018;
 
 pub use han_2005::Han2005;
+pub use impulse::Impulse;
+pub use mathavan_2010::Mathavan2010;
 pub use mirror::Mirror;
 pub use stronge_2018::{Inclination, Stronge2018};
 
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
-use crate::physics::ball::{Ball, State};
+use crate::physics::ball::{Ball, Motion, State};
+use crate::physics::laws::restitution::Restitution;
 use crate::physics::laws::{Check, Parameter};
 use crate::physics::table::{Cushion, Nose};
 
@@ -67,6 +72,10 @@ pub enum CushionLaw {
     Mirror(Mirror),
     /// Han's rigid impact at the height of the nose, with friction.
     Han2005(Han2005),
+    /// Rigid impact along the normal in space, with friction.
+    Impulse(Impulse),
+    /// Mathavan's impact with nose and cloth at once.
+    Mathavan2010(Mathavan2010),
     /// Stronge's compliant impact, with tangential give.
     Stronge2018(Stronge2018),
 }
@@ -78,6 +87,8 @@ impl CushionLaw {
         vec![
             Self::Mirror(Mirror::default()),
             Self::Han2005(Han2005::default()),
+            Self::Impulse(Impulse::default()),
+            Self::Mathavan2010(Mathavan2010::default()),
             Self::Stronge2018(Stronge2018::default()),
         ]
     }
@@ -86,37 +97,80 @@ impl CushionLaw {
     /// is returned unchanged.
     #[must_use]
     pub fn rebound(&self, ball: &Ball, state: &State, contact: &CushionContact) -> Rebound {
-        if state.velocity.dot(contact.normal) >= 0.0 {
+        let normal = if state.motion == Motion::Airborne {
+            contact.normal_in_space(ball, state)
+        } else {
+            contact.normal
+        };
+        if state.velocity.dot(normal) >= 0.0 {
             return Rebound {
                 state: *state,
                 impulse: 0.0,
             };
         }
-        let mut after = match self {
-            Self::Mirror(law) => law.rebound(state, contact),
-            Self::Han2005(law) if ball.spins => law.rebound(ball, state, contact),
-            Self::Stronge2018(law) if ball.spins => law.rebound(ball, state, contact),
-            Self::Han2005(_) | Self::Stronge2018(_) => Mirror {
-                restitution: self.restitution(),
-            }
-            .rebound(state, contact),
+        let mut after = if state.motion == Motion::Airborne {
+            self.throw(ball, state, contact, normal)
+        } else if ball.spins {
+            self.roll(ball, state, contact)
+        } else {
+            self.mirror(state, contact)
         };
         // An inclined impact that gives back little, or rubs the ball downwards, leaves it wedged between nose and slate
         // and still on its way in; the slate, which no cushion law knows, then takes up the rest.
-        let inward = after.velocity.dot(contact.normal).min(0.0);
-        after.velocity -= inward * contact.normal;
+        let inward = after.velocity.dot(normal).min(0.0);
+        after.velocity -= inward * normal;
         Rebound {
             state: after,
-            impulse: ball.mass * (after.velocity - state.velocity).dot(contact.normal),
+            impulse: ball.mass * (after.velocity - state.velocity).dot(normal),
         }
     }
 
-    /// The law's own restitution.
+    /// The law as it stands, for a ball on the slate.
+    fn roll(&self, ball: &Ball, state: &State, contact: &CushionContact) -> State {
+        match self {
+            Self::Mirror(_) => self.mirror(state, contact),
+            Self::Han2005(law) => law.rebound(ball, state, contact),
+            Self::Impulse(law) => law.rebound(ball, state, contact),
+            Self::Mathavan2010(law) => law.rebound(ball, state, contact),
+            Self::Stronge2018(law) => law.rebound(ball, state, contact),
+        }
+    }
+
+    /// Restitution alone, for a ball on the slate.
+    fn mirror(&self, state: &State, contact: &CushionContact) -> State {
+        let restitution = self.own_restitution();
+        Mirror { restitution }.rebound(state, contact)
+    }
+
+    /// A ball in flight: no cloth, no slate.
+    fn throw(&self, ball: &Ball, state: &State, contact: &CushionContact, normal: DVec3) -> State {
+        let into = -state.velocity.dot(contact.normal);
+        let along = state.velocity.cross(contact.normal).y;
+        let restitution = contact
+            .restitution
+            .unwrap_or_else(|| self.restitution(-state.velocity.dot(normal)));
+        let friction = match self {
+            Self::Mirror(_) => 0.0,
+            Self::Han2005(law) => law.friction.at(into.max(0.0), along),
+            Self::Impulse(law) => law.friction.at(into.max(0.0), along),
+            Self::Mathavan2010(law) => law.friction.at(into.max(0.0), along),
+            Self::Stronge2018(law) => law.friction,
+        };
+        impulse::throw(ball, state, normal, restitution, friction)
+    }
+
+    /// The law's own restitution for a ball that comes with this speed in m/s along the normal.
     #[must_use]
-    pub fn restitution(&self) -> f64 {
+    pub fn restitution(&self, speed: f64) -> f64 {
+        self.own_restitution().at(speed)
+    }
+
+    fn own_restitution(&self) -> Restitution {
         match self {
             Self::Mirror(law) => law.restitution,
             Self::Han2005(law) => law.restitution,
+            Self::Impulse(law) => law.restitution,
+            Self::Mathavan2010(law) => law.restitution,
             Self::Stronge2018(law) => law.restitution,
         }
     }
@@ -125,8 +179,9 @@ impl CushionLaw {
     #[must_use]
     pub fn nose_height(&self, height: f64, ball: &Ball, cushion: &Cushion) -> f64 {
         match self {
-            Self::Stronge2018(law) => law.nose_height(height, ball, cushion),
-            Self::Mirror(_) | Self::Han2005(_) => height,
+            Self::Stronge2018(law) => law.inclination.nose_height(height, ball, cushion),
+            Self::Impulse(law) => law.inclination.nose_height(height, ball, cushion),
+            Self::Mirror(_) | Self::Han2005(_) | Self::Mathavan2010(_) => height,
         }
     }
 }
@@ -136,6 +191,8 @@ impl Check for CushionLaw {
         match self {
             Self::Mirror(law) => law.parameters(),
             Self::Han2005(law) => law.parameters(),
+            Self::Impulse(law) => law.parameters(),
+            Self::Mathavan2010(law) => law.parameters(),
             Self::Stronge2018(law) => law.parameters(),
         }
     }

@@ -18,6 +18,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::physics::ball::{Ball, State};
 use crate::physics::laws::cushion::CushionContact;
+use crate::physics::laws::restitution::Restitution;
 use crate::physics::laws::{Check, Parameter};
 use crate::physics::table::Cushion;
 
@@ -38,12 +39,39 @@ pub enum Inclination {
     Peer,
 }
 
+impl Inclination {
+    /// Sine and cosine of the angle by which the line from the centre of a ball on the slate to the nose rises.
+    pub(super) fn of(self, ball: &Ball, contact: &CushionContact) -> (f64, f64) {
+        match self {
+            Self::Touching => {
+                let sin = contact.sine(ball);
+                (sin, (1.0 - sin * sin).sqrt())
+            }
+            Self::Peer => {
+                let rise = contact.nose_height / ball.radius - 1.0;
+                let length = (1.0 + rise * rise).sqrt();
+                (rise / length, 1.0 / length)
+            }
+        }
+    }
+
+    /// The height of the nose to be used for this stretch of cushion: only the peer's geometry of jaws differs.
+    pub(super) fn nose_height(self, height: f64, ball: &Ball, cushion: &Cushion) -> f64 {
+        match (self, cushion) {
+            (Self::Peer, Cushion::Arc(arc)) => {
+                ball.radius + (height - ball.radius) * ball.radius / (ball.radius + arc.radius)
+            }
+            _ => height,
+        }
+    }
+}
+
 /// Stronge's compliant cushion.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Stronge2018 {
     /// Coefficient of restitution along the inclined normal, 0 to 1.
-    pub restitution: f64,
+    pub restitution: Restitution,
     /// Coefficient of friction between ball and rubber.
     pub friction: f64,
     /// ωₜ/ωₙ, between 1 and 2.
@@ -57,7 +85,7 @@ impl Default for Stronge2018 {
     /// Restitution and friction as for [`super::Han2005`]; the ratio of pooltool's default set.
     fn default() -> Self {
         Self {
-            restitution: 0.85,
+            restitution: 0.85.into(),
             friction: 0.2,
             frequency_ratio: 1.8,
             inclination: Inclination::Touching,
@@ -68,18 +96,11 @@ impl Default for Stronge2018 {
 impl Stronge2018 {
     pub(super) fn rebound(&self, ball: &Ball, state: &State, contact: &CushionContact) -> State {
         // The formulas divide by e; a blow without any rebound is the limit.
-        let restitution = contact.restitution.unwrap_or(self.restitution).max(1e-6);
-        let rise = contact.nose_height / ball.radius - 1.0;
-        let (sin, cos) = match self.inclination {
-            Inclination::Touching => {
-                let sin = contact.sine(ball);
-                (sin, (1.0 - sin * sin).sqrt())
-            }
-            Inclination::Peer => {
-                let length = (1.0 + rise * rise).sqrt();
-                (rise / length, 1.0 / length)
-            }
-        };
+        let restitution = contact
+            .restitution
+            .unwrap_or_else(|| self.restitution.at(-state.velocity.dot(contact.normal)))
+            .max(1e-6);
+        let (sin, cos) = self.inclination.of(ball, contact);
         let normal = cos * contact.normal - sin * DVec3::Y;
         let slip = state.velocity - ball.radius * state.angular_velocity.cross(normal);
         let closing = slip.dot(normal);
@@ -159,16 +180,6 @@ impl Stronge2018 {
         let sticking = ratio * stretch * libm::sin(angle) + speed * libm::cos(angle);
         BETA * mu * e * (1.0 + libm::cos(phase(slip_at))) - sticking
     }
-
-    /// The height of the nose to be used for this stretch of cushion: only the peer's geometry of jaws differs.
-    pub(super) fn nose_height(&self, height: f64, ball: &Ball, cushion: &Cushion) -> f64 {
-        match (self.inclination, cushion) {
-            (Inclination::Peer, Cushion::Arc(arc)) => {
-                ball.radius + (height - ball.radius) * ball.radius / (ball.radius + arc.radius)
-            }
-            _ => height,
-        }
-    }
 }
 
 /// The time in [a, b] at which a function that is negative at a becomes positive, to 1e-15, by regula falsi with the
@@ -200,10 +211,11 @@ fn crossing(f: impl Fn(f64) -> f64, mut a: f64, mut b: f64) -> f64 {
 
 impl Check for Stronge2018 {
     fn parameters(&self) -> Vec<Parameter> {
-        vec![
-            Parameter::new("restitution", self.restitution, 0.0, 1.0).basis(super::RESTITUTION),
+        let mut parameters = self.restitution.parameters(super::RESTITUTION);
+        parameters.extend([
             Parameter::new("friction", self.friction, 0.0, 2.0).basis(super::FRICTION),
             Parameter::new("frequency_ratio", self.frequency_ratio, 1.000_001, 2.0),
-        ]
+        ]);
+        parameters
     }
 }

@@ -28,7 +28,7 @@ fn square() -> Vec<Row> {
     for (name, law) in cushion_laws() {
         let ours = -rebound(&law, &Stand::POOL.stunned(2.0), 0.0).velocity.x;
         let title = "cushion, nose at centre height, square stun at 2 m/s: rebound";
-        let expected = 2.0 * law.restitution();
+        let expected = 2.0 * law.restitution(2.0);
         rows.push(
             Row::closed(title, &name, expected, ours, "m/s").by("closed form, restitution alone"),
         );
@@ -37,7 +37,9 @@ fn square() -> Vec<Row> {
 }
 
 fn mirror() -> Vec<Row> {
-    let law = CushionLaw::Mirror(Mirror { restitution: 0.85 });
+    let law = CushionLaw::Mirror(Mirror {
+        restitution: 0.85.into(),
+    });
     let stand = Stand::POOL;
     [20.0, 45.0, 70.0]
         .into_iter()
@@ -67,8 +69,8 @@ fn han_2005() -> Vec<Row> {
     let (into, across) = (v * libm::cos(incidence), v * libm::sin(incidence));
     let han = |friction: f64| {
         CushionLaw::Han2005(Han2005 {
-            restitution: e,
-            friction,
+            restitution: e.into(),
+            friction: friction.into(),
             ..Han2005::default()
         })
     };

@@ -1,0 +1,1 @@
+//! Convergence: what the game uses against steps so fine that more change nothing.
