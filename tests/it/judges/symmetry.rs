@@ -100,6 +100,10 @@ fn ball_ball_is_the_same_on_a_moving_train() {
         state
     };
     for law in BallBallLaw::all() {
+        // This one knows the cloth, which does not move with the train.
+        if matches!(law, BallBallLaw::Mathavan2014(_)) {
+            continue;
+        }
         let plain = collide(&law, &first, &second, &contact);
         let value = collide(&law, &boarded(first), &boarded(second), &contact);
         assert_same("on a train", value, plain.map(boarded));

@@ -8,6 +8,10 @@ use glam::DVec2;
 
 use super::{Point, Rate, Rub};
 
+/// Normal impulse, in units of what compression takes, within which a held slip is drawn into the direction of its
+/// force.
+const DRAW: f64 = 0.02;
+
 /// Rounds between two contacts that are both held.
 const ROUNDS: usize = 64;
 
@@ -17,9 +21,12 @@ impl<const N: usize> Rub<N> {
     pub(super) fn rate(&self, at: &Point<N>, held: &[bool; N]) -> Rate<N> {
         let slips = self.slips(at);
         let mut friction = [DVec2::ZERO; N];
+        // Force per normal force where the slip is free, and what draws the slip to the force where it is held.
         let mut direction = [DVec2::ZERO; N];
         for c in 0..N {
-            if !held[c] {
+            if held[c] {
+                direction[c] = slips[c] * (self.normal / DRAW);
+            } else {
                 let square = slips[c].length_squared();
                 if square > 1e-200 {
                     direction[c] = slips[c] * (self.limits[c].friction / square.sqrt());
@@ -58,11 +65,12 @@ impl<const N: usize> Rub<N> {
                     -self.mobility_x[c][0] * friction[0].x,
                     self.drive[c] - self.mobility_y[c][0] * friction[0].y,
                 );
-                let (limit, size) = (self.limits[c].friction * pressure, k.length());
-                if size <= limit * self.mobility_x[c][c] {
+                let limit = self.limits[c].friction * pressure;
+                if k.length() <= limit * self.mobility_x[c][c] {
                     k / self.mobility_x[c][c]
                 } else {
-                    k * (limit / size)
+                    let k = k + direction[c];
+                    k * (limit / k.length().max(1e-100))
                 }
             } else {
                 direction[c] * pressure
@@ -114,7 +122,7 @@ impl<const N: usize> Rub<N> {
                     d.y += beta * y * direction[c].y;
                 }
             }
-            force = hold(self.limits[0].friction, k, d, across);
+            force = hold(self.limits[0].friction, k, direction[0], d, across);
             let mut settled = true;
             for c in 1..N {
                 let pressed = self.pressure(c, force) > 0.0;
@@ -175,7 +183,12 @@ impl Limit {
 }
 
 /// The force J with k − (d + λ) J − (`across` J.y, 0) = 0, |J| ≤ `limit`, and the least λ ≥ 0.
-fn hold(limit: f64, k: DVec2, d: DVec2, across: f64) -> DVec2 {
+fn hold(limit: f64, k: DVec2, draw: DVec2, d: DVec2, across: f64) -> DVec2 {
+    let held = DVec2::new((k.x - across * k.y / d.y) / d.x, k.y / d.y);
+    if held.length_squared() <= limit * limit {
+        return held;
+    }
+    let k = k + draw;
     let force = |lambda: f64| {
         let y = k.y / (d.y + lambda);
         DVec2::new((k.x - across * y) / (d.x + lambda), y)

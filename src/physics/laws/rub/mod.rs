@@ -81,8 +81,8 @@ impl Accuracy {
     /// Results within 1e-6 of converged ones: see the tests.
     pub(super) const GAME: Self = Self {
         tolerance: 3e-7,
-        capture: 1e-3,
-        release: 1e-4,
+        capture: 1e-4,
+        release: 1e-3,
         vanished: 1e-7,
     };
 }

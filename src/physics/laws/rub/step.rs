@@ -45,6 +45,9 @@ const E: [f64; 7] = [
     -1.0 / 40.0,
 ];
 
+/// Longest step times the rate at which a slip turns into its direction: the pair is stable up to 3.3.
+const STABLE: f64 = 2.0;
+
 /// An impact under way.
 pub(super) struct Walk<'a, const N: usize> {
     rub: &'a Rub<N>,
@@ -211,6 +214,10 @@ impl<'a, const N: usize> Walk<'a, N> {
                 }
                 continue;
             }
+            // A small slip turns quickly: longer steps would be unstable.
+            let force = self.rate.friction[c].length() * self.rub.mobility_x[c][c];
+            let size = slips[c].length();
+            length = length.min(STABLE * size / force.max(1e-100));
             let approach = -slips[c].dot(rates[c]);
             if approach > 0.0 && slips[c].perp_dot(rates[c]).abs() < 0.3 * slips[c].length() * rate
             {
@@ -288,17 +295,17 @@ impl<'a, const N: usize> Walk<'a, N> {
     fn capture(&mut self, contact: usize) -> bool {
         let mut held = self.held;
         held[contact] = true;
-        let rate = self.rub.rate(&self.at, &held);
-        let still = self.rub.slip_rates(&rate)[contact].length();
-        if still > 1e-9 {
+        let mut at = self.at;
+        let impulses = self.rub.stop(contact, &self.held, &at);
+        for c in 0..N {
+            at.friction[c] += impulses[c];
+        }
+        at.heat += self.rub.work(&at) - self.rub.work(&self.at);
+        let rate = self.rub.rate(&at, &held);
+        if self.rub.slip_rates(&rate)[contact].length() > 1e-9 {
             return false;
         }
-        let work = self.rub.work(&self.at);
-        let impulses = self.rub.stop(contact, &self.held, &self.at);
-        for c in 0..N {
-            self.at.friction[c] += impulses[c];
-        }
-        self.at.heat += self.rub.work(&self.at) - work;
+        self.at = at;
         self.held = held;
         true
     }

@@ -17,6 +17,9 @@ const IMPACTS: usize = 100_000;
 /// Share of the speeds before by which rounding may move the outcome.
 const ROUNDING: f64 = 1e-13;
 
+/// The same for a law without closed form: where friction just fails to hold a slip, rounding grows before it is forgotten.
+const FOLLOWED: f64 = 1e-10;
+
 /// A ball of some mass, its state on the slate, and the horizontal normal.
 struct Draw(ChaCha8Rng);
 
@@ -62,12 +65,17 @@ struct Worst {
 
 impl Worst {
     fn rows(&self, kind: &str, law: &str) -> Vec<Row> {
+        let rounding = if law.starts_with("Mathavan") {
+            FOLLOWED
+        } else {
+            ROUNDING
+        };
         let source = "conservation and symmetry, 100 000 random impacts";
         [
             ("H15", "energy won, share", self.energy, 1e-12),
             ("H16", "mirror image differs by", self.mirror, ROUNDING),
-            ("H16", "turned by 1.9 rad differs by", self.turn, ROUNDING),
-            ("H16", "in other units differs by", self.units, ROUNDING),
+            ("H16", "turned by 1.9 rad differs by", self.turn, rounding),
+            ("H16", "in other units differs by", self.units, rounding),
         ]
         .into_iter()
         .map(|(judge, what, value, tolerance)| {
