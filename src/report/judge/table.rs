@@ -52,7 +52,14 @@ fn table(text: &mut String, title: &str, rows: &[Row]) {
     }
     let _ = writeln!(text, "{title}\n");
     let _ = writeln!(text, "{}", line(&head, widths));
+    let mut family = "";
     for (i, row) in rows.iter().enumerate() {
+        // A line of space before the next judge or experiment.
+        let named = row.name.split_whitespace().next().unwrap_or("");
+        if named != family {
+            text.push('\n');
+            family = named;
+        }
         let _ = writeln!(text, "{}", line(&cells[i], widths));
         // A sentence that holds for several rows is told once, below the last of them.
         let told_later = rows.get(i + 1).is_some_and(|next| next.note == row.note);
@@ -97,7 +104,9 @@ fn cells(row: &Row) -> [String; 7] {
 /// An error or a tolerance: small ones as powers of ten, others in percent or in the unit of the row.
 fn error(value: f64, row: &Row) -> String {
     let relative = matches!(row.measure, Measure::Relative | Measure::RelativeRms);
-    if value.abs() < 1e-4 && value != 0.0 {
+    if value == 0.0 {
+        "0".to_owned()
+    } else if value.abs() < 1e-4 {
         format!("{value:.1e}")
     } else if relative {
         with_unit(&figures(100.0 * value, 4), "%")

@@ -4,6 +4,7 @@ mod collision;
 mod cushion;
 mod deflection;
 mod simultaneous;
+mod slate;
 mod slide;
 mod stroke;
 mod symmetry;
@@ -29,6 +30,7 @@ pub(super) const ALL: &[Family] = &[
     ),
     ("J11 J12 stroke and squirt", Work::Laws(stroke::rows)),
     ("J13 massé", Work::Shots(stroke::masse)),
+    ("J16 bounces", Work::Shots(slate::rows)),
     ("cushions", Work::Laws(cushion::rows)),
     ("H15 H16 ball-ball laws", Work::Laws(symmetry::ball_ball)),
     ("H15 H16 cushion laws", Work::Laws(symmetry::cushion)),

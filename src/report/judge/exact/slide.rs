@@ -2,8 +2,8 @@
 
 use glam::DVec3;
 
-use crate::physics::ball::Motion;
-use crate::physics::record::{EventKind, Record};
+use crate::physics::ball::{Motion, State};
+use crate::physics::record::Record;
 use crate::physics::scene::{Solver, Stepped};
 use crate::report::judge::stand::{Stand, play, smooth};
 use crate::report::judge::{Row, Stopped};
@@ -76,14 +76,14 @@ fn stun() -> Result<Vec<Row>, Stopped> {
     Ok(rows)
 }
 
-/// When, and as what, a ball begins this kind of motion on its own.
-pub(super) fn begins(
-    record: &Record,
-    motion: Motion,
-) -> Option<(f64, crate::physics::ball::State)> {
-    record.events.iter().find_map(|event| match event.kind {
-        EventKind::Motion { to, .. } if to == motion => Some((event.time, event.first.after)),
-        _ => None,
+/// When, and as what, the first ball begins this kind of motion: on its own, or as it comes down on the slate.
+pub(super) fn begins(record: &Record, motion: Motion) -> Option<(f64, State)> {
+    record.events.iter().find_map(|event| {
+        let ball = event
+            .participants()
+            .find(|participant| participant.ball == 0)?;
+        let begins = ball.after.motion == motion && ball.before.motion != motion;
+        begins.then_some((event.time, ball.after))
     })
 }
 
