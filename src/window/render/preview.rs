@@ -72,15 +72,15 @@ fn path(lines: &mut Gizmos<Strokes>, record: &Record, ball: usize, radius: f32) 
         }
         let until = pieces.get(i + 1).map_or(record.end_time, |next| next.time);
         let length = (until - piece.time).max(0.0);
-        // Only a slide bends; everything else is a straight line.
-        let chords = if motion == Motion::Sliding {
+        // Slides and flights bend; everything else is a straight line.
+        let chords = if motion == Motion::Sliding || motion.flies() {
             (length / CHORD).ceil().clamp(1.0, 64.0) as u32
         } else {
             1
         };
         for chord in 0..=chords {
             let time = length * f64::from(chord) / f64::from(chords);
-            let at = piece.piece.position(time).as_vec3().with_y(HEIGHT);
+            let at = lowest(piece.piece.position(time).as_vec3(), radius);
             points.push((at, faint(colour(motion))));
         }
     }
@@ -95,6 +95,11 @@ fn path(lines: &mut Gizmos<Strokes>, record: &Record, ball: usize, radius: f32) 
             faint(LinearRgba::new(0.9, 0.9, 0.9, 0.9)),
         );
     }
+}
+
+/// The lowest point of a ball, just above the cloth: a flight is drawn as high as it goes.
+fn lowest(center: Vec3, radius: f32) -> Vec3 {
+    center.with_y(HEIGHT + (center.y - radius).max(0.0))
 }
 
 /// What is only planned is fainter than what has happened.

@@ -17,8 +17,12 @@ fn draw(mut lines: Gizmos<Strokes>, view: Res<View>, recorder: Res<Recorder>) {
     }
     for trail in &recorder.trails {
         let points = trail.iter().filter(|(_, state)| state.motion.in_play());
-        let points =
-            points.map(|(_, state)| (state.position.as_vec3().with_y(0.002), colour(state.motion)));
+        // In the air where the centre was, else on the cloth.
+        let points = points.map(|(_, state)| {
+            let at = state.position.as_vec3();
+            let height = if state.motion.flies() { at.y } else { 0.002 };
+            (at.with_y(height), colour(state.motion))
+        });
         strip(&mut lines, points);
     }
 }

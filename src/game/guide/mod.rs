@@ -4,44 +4,21 @@
 //! follows one contact only; balls other than the struck one are taken to stand still. Under the coursework's motion law,
 //! which has no closed form, the line is straight.
 
+mod leg;
+
+pub use leg::{Hit, Leg};
+
+use self::leg::leg;
+
 use glam::{DVec2, DVec3};
 use thiserror::Error;
 
 use crate::physics::ball::State;
-use crate::physics::contact::{self, Track};
 use crate::physics::cue::Shot;
 use crate::physics::laws::ball_ball::PairContact;
 use crate::physics::laws::cushion::CushionContact;
-use crate::physics::laws::motion::Piece;
 use crate::physics::roots::RootError;
 use crate::physics::scene::{Scene, strike_with};
-use crate::physics::table::Cushion;
-
-/// What a ball meets at the end of a path.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Hit {
-    /// Nothing: it comes to rest, or the path is cut there.
-    Nothing,
-    /// The ball with this index.
-    Ball(usize),
-    /// The cushion with this index.
-    Cushion(usize),
-    /// The pocket with this index.
-    Pocket(usize),
-}
-
-/// The way of one ball up to its next contact.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Leg {
-    /// Index of the ball.
-    pub ball: usize,
-    /// Centres along the way in m; at least one.
-    pub points: Vec<DVec3>,
-    /// The ball at the last point, before anything happens to it there.
-    pub end: State,
-    /// What it meets there.
-    pub hit: Hit,
-}
 
 /// A shot as far as the guides show it.
 #[derive(Clone, Debug, PartialEq)]
@@ -68,9 +45,6 @@ pub enum GuideError {
     #[error(transparent)]
     Root(#[from] RootError),
 }
-
-/// Points along a bent piece of path.
-const BEND_POINTS: u32 = 16;
 
 /// Follows a shot to its first contact and a little further: the ways after it are cut after `reach` m.
 ///
@@ -108,8 +82,10 @@ pub fn first_contact(
 /// The struck ball and, if one is hit, the object ball just after the contact that ends a leg.
 fn after(scene: &Scene, leg: &Leg) -> (Option<State>, Option<(usize, State)>) {
     let ball = &scene.balls[leg.ball].ball;
-    let classify =
-        |index: usize, state: State| scene.laws.motion.classify(&scene.balls[index].ball, state);
+    let classify = |index: usize, state: State| {
+        let (table, ball) = (&scene.table, &scene.balls[index].ball);
+        scene.laws.settled(table, ball, &state)
+    };
     match leg.hit {
         Hit::Nothing | Hit::Pocket(_) => (None, None),
         Hit::Ball(other) => {
@@ -140,112 +116,9 @@ fn after(scene: &Scene, leg: &Leg) -> (Option<State>, Option<(usize, State)>) {
     }
 }
 
-/// Follows one ball from a state until it meets something, comes to rest or has gone `reach` m.
-fn leg(scene: &Scene, ball: usize, mut state: State, reach: f64) -> Result<Leg, RootError> {
-    let constants = &scene.balls[ball].ball;
-    let mut points = vec![state.position];
-    let mut left = reach;
-    let mut hit = Hit::Nothing;
-    while state.motion.translates() && left > 0.0 {
-        let piece = scene.laws.motion.piece(constants, &state);
-        let size = scene.table.length + scene.table.width;
-        let across = 2.0 * size / state.velocity.length().max(1e-6);
-        let horizon = piece.duration.min(across);
-        let found = first_hit(scene, ball, &Track::of(&piece, 0.0), horizon)?;
-        let end = found.map_or(horizon, |(time, _)| time);
-        let (walked, is_cut) = walk(&piece, end, left, &mut points);
-        left -= walked;
-        if let (Some((time, what)), false) = (found, is_cut) {
-            hit = what;
-            state = piece.at(time);
-            break;
-        }
-        if is_cut || horizon < piece.duration {
-            state = piece.at(end);
-            break;
-        }
-        state = piece.end(constants);
-    }
-    Ok(Leg {
-        ball,
-        points,
-        end: state,
-        hit,
-    })
-}
-
-/// The first thing on a track within `horizon` seconds, and when.
-fn first_hit(
-    scene: &Scene,
-    ball: usize,
-    track: &Track,
-    horizon: f64,
-) -> Result<Option<(f64, Hit)>, RootError> {
-    let radius = scene.balls[ball].ball.radius;
-    let reach = scene.table.reach(radius);
-    let mut first: Option<(f64, Hit)> = None;
-    let mut note = |time: Option<f64>, hit: Hit| {
-        if let Some(time) = time
-            && first.is_none_or(|(earlier, _)| time < earlier)
-        {
-            first = Some((time, hit));
-        }
-    };
-    for (index, other) in scene.balls.iter().enumerate() {
-        if index == ball || !other.state.motion.in_play() {
-            continue;
-        }
-        let still = Track {
-            position: other.state.position,
-            velocity: DVec3::ZERO,
-            acceleration: DVec3::ZERO,
-        };
-        let reach = radius + other.ball.radius;
-        note(
-            contact::pair(track, &still, reach, horizon)?,
-            Hit::Ball(index),
-        );
-    }
-    for (index, cushion) in scene.table.cushions.iter().enumerate() {
-        let time = match cushion {
-            Cushion::Line(line) => contact::line(track, line, reach, horizon)?,
-            Cushion::Arc(arc) => contact::arc(track, arc, reach, horizon)?,
-        };
-        note(time, Hit::Cushion(index));
-    }
-    for (index, pocket) in scene.table.pockets.iter().enumerate() {
-        note(contact::pocket(track, pocket, horizon)?, Hit::Pocket(index));
-    }
-    Ok(first)
-}
-
-/// Adds the points of a piece up to `end` s or `reach` m; returns the metres walked and whether the reach cut it.
-fn walk(piece: &Piece, end: f64, reach: f64, points: &mut Vec<DVec3>) -> (f64, bool) {
-    let is_straight = piece
-        .start
-        .velocity
-        .cross(piece.acceleration)
-        .length_squared()
-        == 0.0;
-    let steps = if is_straight { 1 } else { BEND_POINTS };
-    let mut walked = 0.0;
-    let mut last = piece.start.position;
-    for step in 1..=steps {
-        let next = piece.position(end * f64::from(step) / f64::from(steps));
-        let length = last.distance(next);
-        if walked + length > reach {
-            points.push(last + (next - last) * ((reach - walked) / length));
-            return (reach, true);
-        }
-        walked += length;
-        points.push(next);
-        last = next;
-    }
-    (walked, false)
-}
-
 #[cfg(test)]
 mod tests {
+    use super::leg::BEND_POINTS;
     use super::*;
     use crate::physics::ball::Ball;
     use crate::physics::laws::Laws;
