@@ -97,7 +97,7 @@ fn the_numbers_are_those_of_the_papers() {
     let sliding = cloth.sliding * cloth.gravity;
     assert!((1.75..=2.40).contains(&sliding), "{sliding} m/s²");
     assert_eq!(snooker.equipment.laws.ball_ball.restitution(), 0.89);
-    assert_eq!(snooker.equipment.laws.cushion.restitution(), 0.98);
+    assert_eq!(snooker.equipment.laws.cushion.restitution(1.0), 0.98);
     assert_eq!(snooker.equipment.balls.object.mass, 0.1406);
     assert_eq!(snooker.equipment.table, TablePreset::Snooker.table());
     // Heated carom: the deceleration of the tracked shots.
@@ -112,7 +112,7 @@ fn the_numbers_are_those_of_the_papers() {
     let cloth = cloth_of(&pool);
     assert!((0.15..=0.4).contains(&cloth.sliding) && (0.005..=0.015).contains(&cloth.rolling));
     assert!((5.0..=15.0).contains(&cloth.spin_deceleration));
-    assert!((0.6..=0.9).contains(&pool.equipment.laws.cushion.restitution()));
+    assert!((0.6..=0.9).contains(&pool.equipment.laws.cushion.restitution(1.0)));
     let BallBallLaw::Frictional(balls) = pool.equipment.laws.ball_ball else {
         panic!("{:?}", pool.equipment.laws.ball_ball);
     };
@@ -211,7 +211,7 @@ fn a_scene_names_a_preset_and_changes_single_fields() {
         (balls.restitution, balls.friction),
         (0.89, Friction::Constant(0.07))
     );
-    assert_eq!(changed.laws.cushion.restitution(), 0.7);
+    assert_eq!(changed.laws.cushion.restitution(1.0), 0.7);
     assert_eq!(changed.cue, snooker.cue.with_tip(Tip::Phenolic));
     assert_eq!(changed.balls[0].ball.mass, 0.15);
     assert_eq!(changed.balls[1].ball, snooker.balls.object);
@@ -256,7 +256,7 @@ fn a_copied_preset_is_found_beside_its_scene_and_builds_on_others() {
         ],
     );
     let read = file::read(&folder.join("scene.ron")).unwrap_or_else(|error| panic!("{error}"));
-    assert_eq!(read.scene.laws.cushion.restitution(), 0.7);
+    assert_eq!(read.scene.laws.cushion.restitution(1.0), 0.7);
     let mine = folder.join("mine.ron");
     assert_eq!(read.preset.as_deref(), mine.to_str());
     let preset = preset::read(&mine).unwrap_or_else(|error| panic!("{error}"));
