@@ -10,7 +10,10 @@ use crate::physics::table::{Cushion, Nose, Pocket};
 const NEAR: f64 = 1e-13;
 
 /// Steps of a search before it counts as failed.
-const LIMIT: usize = 20_000;
+const LIMIT: usize = 200_000;
+
+/// Least step in s of the search for the rim of a pocket.
+const STEP: f64 = 4e-6;
 
 /// When the centre comes down to this height in m.
 ///
@@ -123,7 +126,7 @@ pub fn rim(
         }
         if distance <= NEAR && speed < 0.0 {
             // A step may have gone a little too far.
-            let back = (distance / speed).min(1e-6);
+            let back = (distance / speed).min(STEP);
             return Ok(Some((time - back).max(0.0)));
         }
         let fastest = (track.velocity + time * track.acceleration).length();
@@ -134,7 +137,9 @@ pub fn rim(
         if reach < 1e-9 && speed < 0.0 {
             return Ok(Some(time + reach / -speed));
         }
-        time += step.max(1e-6);
+        // Two that overlap by rounding and part cannot close before the curve of the way turns them.
+        let turn = bend + fastest * fastest / radius;
+        time += step.max(STEP).max(0.25 * speed / turn);
     }
     Err(failed(track, time))
 }

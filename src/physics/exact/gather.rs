@@ -80,7 +80,8 @@ impl Engine {
         let (distance, direction) =
             Walls::gap(&self.table, cushion, DVec2::new(position.x, position.z));
         let overlap = self.reach_of(&member.body, &member.state) - distance;
-        if overlap > DEEP {
+        // In flight the ends of noses count, which balls on the slate pass by: such an overlap is pushed apart.
+        if overlap > DEEP && !member.state.motion.flies() {
             return Err(SolveError::Overlap {
                 ball: self.names[member.ball].clone(),
                 other: format!("cushion {cushion}"),

@@ -110,7 +110,7 @@ impl Laws {
     pub fn rattle(&self, pocket: &Pocket, ball: &Ball, state: &State, on_edge: bool) -> State {
         let mut after = match self.pocket {
             PocketLaw::Rim(rim) if on_edge => rim.off_edge(&self.slate, pocket, ball, state),
-            PocketLaw::Rim(rim) => rim.off_wall(&self.slate, pocket, ball, state),
+            PocketLaw::Rim(rim) => rim.off_wall(pocket, state),
             PocketLaw::Capture => *state,
         };
         after.motion = Motion::Airborne;

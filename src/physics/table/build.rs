@@ -54,7 +54,7 @@ impl PocketedTable {
         let (x, z) = (0.5 * self.length, 0.5 * self.width);
         let corner = self.corner.width * std::f64::consts::FRAC_1_SQRT_2;
         let side = 0.5 * self.side.width;
-        let mut cushions = Vec::with_capacity(30);
+        let mut cushions = Vec::with_capacity(42);
         for across in [-1.0, 1.0] {
             for along in [-1.0, 1.0] {
                 let outward = DVec2::new(0.0, across);
@@ -74,6 +74,21 @@ impl PocketedTable {
                 DVec2::new(along, 0.0),
             );
         }
+        // A ball that comes back out of a pocket can meet the back ends of the facings.
+        let half = DVec2::new(x, z);
+        let ends: Vec<DVec2> = cushions
+            .iter()
+            .filter_map(|cushion| match cushion {
+                Cushion::Line(line) if line.to.abs().cmpgt(half).any() => Some(line.to),
+                _ => None,
+            })
+            .collect();
+        cushions.extend(ends.into_iter().map(|center| {
+            Cushion::Arc(Arc {
+                center,
+                radius: 0.0,
+            })
+        }));
         Table {
             length: self.length,
             width: self.width,

@@ -6,6 +6,7 @@ use masse::physics::ball::{Ball, State};
 use masse::physics::cue::{Cue, Shot};
 use masse::physics::laws::Check;
 use masse::physics::laws::cue_ball::strike;
+use masse::physics::laws::slate::SlateLaw;
 
 use super::inputs::{ball, ball_and_state, component, share, slate_law};
 use super::{assert_no_gain, cases};
@@ -46,7 +47,14 @@ proptest! {
         state.velocity.y = -down;
         let after = law.land(&ball, &state);
         prop_assert!(after.is_finite());
-        prop_assert_eq!(after.velocity.y, 0.0);
+        let up = match &law {
+            SlateLaw::Bouncing(slate) => {
+                let up = if down > 0.0 { slate.restitution * down } else { -down };
+                if up > slate.settle { up } else { 0.0 }
+            }
+            SlateLaw::Held | SlateLaw::Rubbed { .. } => 0.0,
+        };
+        prop_assert_eq!(after.velocity.y, up);
         prop_assert_eq!(after.angular_velocity.y, state.angular_velocity.y);
         assert_no_gain(ball.kinetic_energy(&state), ball.kinetic_energy(&after));
         let image = law.land(&ball, &mirrored(&state));

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use glam::{DVec2, DVec3};
 use serde::Deserialize;
 
-use masse::physics::ball::{Ball, State};
+use masse::physics::ball::{Ball, Motion, State};
 use masse::physics::exact::{Limits, solve};
 use masse::physics::laws::Laws;
 use masse::physics::laws::ball_ball::{BallBallLaw, Friction, Frictional, Frictionless, PeerCap};
@@ -252,13 +252,9 @@ fn ours(event: &Event, scene: &Scene, table: &PeerTable) -> Option<Entry> {
         .map(|participant| (name(participant.ball), participant.before.position))
         .collect();
     who.sort_by(|a, b| a.0.cmp(&b.0));
+    // Strokes are not listed there, and nothing flies.
     let what = match event.kind {
         EventKind::BallBall => format!("ball_ball {} {}", who[0].0, who[1].0),
-        // The peer's tables are flat.
-        EventKind::Strike { .. }
-        | EventKind::Slate
-        | EventKind::Rim { .. }
-        | EventKind::OffTable => return None,
         EventKind::Cushion { cushion } => match table.linear.get(cushion) {
             Some(line) => format!("ball_linear_cushion {first} {}", line.id),
             None => format!(
@@ -270,7 +266,6 @@ fn ours(event: &Event, scene: &Scene, table: &PeerTable) -> Option<Entry> {
             format!("ball_pocket {first} {}", table.pockets[pocket].id)
         }
         EventKind::Motion { from, to } => {
-            use masse::physics::ball::Motion;
             let label = |motion| match motion {
                 Motion::Sliding => "sliding",
                 Motion::Rolling => "rolling",
@@ -279,6 +274,7 @@ fn ours(event: &Event, scene: &Scene, table: &PeerTable) -> Option<Entry> {
             };
             format!("{}_{} {first}", label(from), label(to))
         }
+        _ => return None,
     };
     Some(Entry {
         time: event.time,

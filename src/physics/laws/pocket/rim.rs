@@ -6,21 +6,21 @@
 //!
 //! ω² = ω₀² + (k g/ℓ) (cos φ₀ − cos φ), ℓ = R + ρ, k = 10/7 rolling, 2 slipping,
 //!
-//! until the edge no longer presses, cos φ = ω² ℓ/g. Falling, it meets the far side of the edge and the wall as it would
-//! bounce from a slate so turned, and away from the table the liner, up to the top of the cushions. It is gone when its
-//! centre reaches the bottom.
+//! until the edge no longer presses, cos φ = ω² ℓ/g. Falling, it meets the far side of the edge as it would bounce from a
+//! slate so turned, and the soft wall of the hole, away from the table up to the top of the cushions, which gives back a
+//! share of its motion in plan and lets it turn freely. It is gone when its centre reaches the bottom.
 //!
 //! The energy of the roll over the edge and where it ends are exact; the way between them is given in pieces of constant
 //! acceleration of at most 0.12 rad each, which leave the arc by less than 0.05 mm. The edge is taken as straight across
-//! the way of the ball, and a ball that is hit while it tips falls from there. The liner gives way to a ball that
-//! turns: without friction. Radius of the edge and restitution of the liner are our choice: no published measurement is known to us.
+//! the way of the ball, and a ball that is hit while it tips falls from there. Radius of the edge and restitution of the
+//! liner are our choice: no published measurement is known to us.
 
 use glam::{DVec2, DVec3};
 use serde::{Deserialize, Serialize};
 
 use crate::physics::ball::{Ball, Motion, State};
 use crate::physics::laws::motion::Piece;
-use crate::physics::laws::slate::{Bouncing, SlateLaw};
+use crate::physics::laws::slate::SlateLaw;
 use crate::physics::laws::{Check, Parameter};
 use crate::physics::table::Pocket;
 
@@ -120,25 +120,19 @@ impl Rim {
         slate.bounce(ball, state, normal.normalize_or_zero())
     }
 
-    /// A falling ball after it met the wall below the edge, or the liner above it.
+    /// A falling ball after it met the wall below the edge, or the liner above it: a share of its motion in plan comes
+    /// back, and always some of it inwards, or it would run round the wall and touch it without end.
     #[must_use]
-    pub(in crate::physics::laws) fn off_wall(
-        &self,
-        slate: &SlateLaw,
-        pocket: &Pocket,
-        ball: &Ball,
-        state: &State,
-    ) -> State {
+    pub(in crate::physics::laws) fn off_wall(&self, pocket: &Pocket, state: &State) -> State {
         let (_, out) = from_middle(pocket, state);
-        if state.position.y <= -self.edge {
-            return slate.bounce(ball, state, -out);
-        }
-        let liner = SlateLaw::Bouncing(Bouncing {
-            restitution: self.liner_restitution,
-            friction: 0.0,
-            ..Bouncing::default()
-        });
-        liner.bounce(ball, state, -out)
+        let level = DVec3::new(state.velocity.x, 0.0, state.velocity.z);
+        let radial = level.dot(out);
+        let along = level - radial * out;
+        let inward = radial.abs().max(0.5 * along.length());
+        let mut after = *state;
+        after.velocity =
+            self.liner_restitution * (along - inward * out) + state.velocity.y * DVec3::Y;
+        after
     }
 
     /// Whether a ball that passes the end of the flat with this velocity stays on the edge for a while.
@@ -231,8 +225,8 @@ impl Check for Rim {
         vec![
             Parameter::new("edge", self.edge, 0.0, 0.05)
                 .basis("a rounding much larger than a ball would be no edge"),
-            Parameter::new("liner_restitution", self.liner_restitution, 0.0, 1.0)
-                .basis("a blow gives back no more than it took"),
+            Parameter::new("liner_restitution", self.liner_restitution, 0.0, 0.8)
+                .basis("leather and rubber swallow most of a blow; our range"),
         ]
     }
 }
