@@ -22,19 +22,19 @@ impl Engine {
         ball: usize,
         other: usize,
         watch: &mut impl Watch,
-    ) -> Result<bool, SolveError> {
+    ) -> bool {
         let old = [self.flights[ball], self.flights[other]];
         if !(old[0].plain && old[1].plain) {
-            return Ok(false);
+            return false;
         }
         let now = self.clock;
         let before = old.map(|flight| flight.state(now));
         let Some((after, impulse)) = self.rebound(ball, other, &before) else {
-            return Ok(false);
+            return false;
         };
         let gliding = |place: usize| old[place].gliding(&after[place], now);
         let (Some(one), Some(two)) = (gliding(0), gliding(1)) else {
-            return Ok(false);
+            return false;
         };
         let is_open = |state: &State| {
             let point = DVec2::new(state.position.x, state.position.z);
@@ -44,7 +44,7 @@ impl Engine {
             })
         };
         if !(before.iter().all(is_open) && after.iter().all(State::is_finite)) {
-            return Ok(false);
+            return false;
         }
         self.flights[ball] = one;
         self.flights[other] = two;
@@ -53,7 +53,7 @@ impl Engine {
         let (Ok((first, false)), Ok((second, false))) = (first, second) else {
             self.flights[ball] = old[0];
             self.flights[other] = old[1];
-            return Ok(false);
+            return false;
         };
         self.flights[ball].next = first;
         self.flights[other].next = second;
@@ -62,7 +62,7 @@ impl Engine {
         watch.piece(ball, &one.path());
         watch.piece(other, &two.path());
         report([ball, other], before, after, impulse, now, watch);
-        Ok(true)
+        true
     }
 
     /// Lets two balls collide, if they touch nothing else, meet fast and part fast; otherwise nothing is done and the
@@ -141,6 +141,10 @@ impl Engine {
         self.touches_none(&self.everyone, ball, place, partner)
     }
 
+    #[expect(
+        clippy::needless_bitwise_bool,
+        reason = "no branch can be guessed here"
+    )]
     fn touches_none(&self, list: &[u32], ball: usize, place: DVec3, partner: usize) -> bool {
         let radius = self.flights[ball].radius;
         let mut touches = false;

@@ -92,9 +92,8 @@ impl Engine {
         let index = cushion as usize;
         let mut normal = -DVec3::new(direction.x, 0.0, direction.y);
         if member.state.motion.flies() {
-            let (radius, height) = (member.body.radius, position.y);
-            let nose_height = self.table.nose_height;
-            normal = -self.table.nose.normal(-normal, nose_height, radius, height);
+            let (nose, height) = (&self.table.nose, self.table.nose_height);
+            normal = -nose.normal(-normal, height, distance, position.y);
         }
         self.cluster.contacts.push(Touching {
             first,

@@ -19,7 +19,7 @@ impl Engine {
         watch: &mut impl Watch,
     ) -> Result<(), SolveError> {
         if let Partner::Ball(other) = partner
-            && (self.collide_gliding(ball, other as usize, watch)?
+            && (self.collide_gliding(ball, other as usize, watch)
                 || self.collide_alone(ball, other as usize, watch)?)
         {
             return Ok(());

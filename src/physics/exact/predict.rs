@@ -162,6 +162,10 @@ impl Engine {
     }
 
     /// Looks for contacts with these balls, the ball itself perhaps among them.
+    #[expect(
+        clippy::needless_bitwise_bool,
+        reason = "no branch can be guessed here"
+    )]
     fn search_pairs(
         &self,
         ball: usize,

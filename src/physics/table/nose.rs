@@ -53,14 +53,15 @@ impl Nose {
     }
 
     /// Unit vector in space from what is touched to the centre of a ball at this height, for a horizontal unit vector
-    /// from the nose to the ball. A wall always pushes level.
+    /// from the nose to the ball and their distance in plan in m: as they are, not as they would be at the very contact,
+    /// or a ball that leaves along its nose would be found to approach again by rounding. A wall always pushes level.
     #[must_use]
-    pub fn normal(&self, level: DVec3, nose_height: f64, radius: f64, height: f64) -> DVec3 {
-        match self {
+    pub fn normal(&self, level: DVec3, nose_height: f64, distance: f64, height: f64) -> DVec3 {
+        match *self {
             Self::Wall => level,
-            Self::Round { .. } => {
-                let sine = self.sine(nose_height, radius, height);
-                (1.0 - sine * sine).sqrt() * level - sine * DVec3::Y
+            Self::Round { radius } => {
+                let offset = (distance + radius) * level + (height - nose_height) * DVec3::Y;
+                offset.try_normalize().unwrap_or(level)
             }
         }
     }

@@ -3,11 +3,12 @@
 use glam::DVec3;
 
 use masse::physics::ball::{Ball, Motion};
+use masse::physics::cue::Shot;
 use masse::physics::exact::{Contact, Engine, Limits};
 use masse::physics::laws::Laws;
 use masse::physics::laws::cushion::{CushionLaw, Mirror};
 use masse::physics::record::{EndReason, EventKind};
-use masse::physics::scene::{Scene, Solver};
+use masse::physics::scene::{PlannedShot, Scene, Solver};
 use masse::physics::table::Preset;
 
 use super::{audit, play, put, scene, smooth};
@@ -212,4 +213,30 @@ fn h5_a_corner_sends_a_ball_back_along_its_line() {
         );
         assert_eq!(record.end[0].motion, Motion::Gliding);
     }
+}
+
+#[test]
+fn h2_a_ball_between_the_edge_of_a_pocket_and_a_nose_gets_out() {
+    let mut scene = Scene::new(Preset::NineFoot.table(), Laws::default());
+    scene.solver = Solver::Exact;
+    // It jumps into the far side of a corner pocket, and on its way out meets the nose from below.
+    scene.place(
+        "cue",
+        Ball::POOL,
+        -0.992_410_546_244_571_5,
+        0.096_022_910_363_046_83,
+    );
+    scene.shot = Some(PlannedShot {
+        ball: 0,
+        shot: Shot {
+            heading: 1.946_287_199_593_663_3,
+            elevation: 0.0,
+            side: -0.167_809_556_990_789_84,
+            height: -0.249_424_800_410_358_1,
+            speed: 6.053_508_120_241_644,
+        },
+    });
+    let record = play(&scene);
+    assert_eq!(record.reason, Some(EndReason::Rest));
+    assert!(record.events.len() < 1000, "{} events", record.events.len());
 }
