@@ -9,7 +9,8 @@ use crate::physics::exact::predict::Partner;
 use crate::physics::exact::walls::{Area, Wall, Walls};
 use crate::physics::exact::{DEEP, SolveError};
 use crate::physics::laws::cluster::{Against, Member, TOUCH, Touching};
-use crate::physics::table::{Cushion, Nose};
+use crate::physics::laws::pocket::PocketLaw;
+use crate::physics::table::{Cushion, Nose, Pocket};
 
 impl Engine {
     /// Adds a ball to the cluster and returns its place.
@@ -34,7 +35,7 @@ impl Engine {
         let (one, two) = (&self.cluster.members[first], &self.cluster.members[second]);
         let offset = two.state.position - one.state.position;
         let overlap = one.body.radius + two.body.radius - offset.length();
-        if overlap > DEEP {
+        if overlap > DEEP && !self.is_at_pocket(one.state.position) {
             return Err(SolveError::Overlap {
                 ball: self.names[one.ball].clone(),
                 other: format!("ball `{}`", self.names[two.ball]),
@@ -62,6 +63,14 @@ impl Engine {
         Ok(())
     }
 
+    /// Whether a ball is where pockets give balls back: such a one is put on the slate wherever it leaves the edge, and what
+    /// it then overlaps pushes it away.
+    fn is_at_pocket(&self, position: DVec3) -> bool {
+        let point = DVec2::new(position.x, position.z);
+        let is_near = |pocket: &Pocket| point.distance(pocket.center) < 2.0 * pocket.radius;
+        self.laws.pocket != PocketLaw::Capture && self.table.pockets.iter().any(is_near)
+    }
+
     /// Distance in plan from a nose line at which a ball touches it, at the height at which it is; -1 for one that
     /// passes over it.
     fn reach_of(&self, body: &Ball, state: &State) -> f64 {
@@ -81,7 +90,7 @@ impl Engine {
             Walls::gap(&self.table, cushion, DVec2::new(position.x, position.z));
         let overlap = self.reach_of(&member.body, &member.state) - distance;
         // In flight the ends of noses count, which balls on the slate pass by: such an overlap is pushed apart.
-        if overlap > DEEP && !member.state.motion.flies() {
+        if overlap > DEEP && !member.state.motion.flies() && !self.is_at_pocket(position) {
             return Err(SolveError::Overlap {
                 ball: self.names[member.ball].clone(),
                 other: format!("cushion {cushion}"),

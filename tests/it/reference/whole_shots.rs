@@ -252,7 +252,6 @@ fn ours(event: &Event, scene: &Scene, table: &PeerTable) -> Option<Entry> {
         .map(|participant| (name(participant.ball), participant.before.position))
         .collect();
     who.sort_by(|a, b| a.0.cmp(&b.0));
-    // Strokes are not listed there, and nothing flies.
     let what = match event.kind {
         EventKind::BallBall => format!("ball_ball {} {}", who[0].0, who[1].0),
         EventKind::Cushion { cushion } => match table.linear.get(cushion) {

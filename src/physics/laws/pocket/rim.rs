@@ -139,7 +139,10 @@ impl Rim {
     #[must_use]
     pub fn holds(&self, gravity: f64, pocket: &Pocket, ball: &Ball, state: &State) -> bool {
         let pivot = Pivot::new(self, gravity, pocket, ball, state);
-        pivot.rate * pivot.rate * pivot.length < gravity * libm::cos(pivot.angle)
+        // One that runs along the edge is soon over the slate again.
+        let inward = pivot.rate * pivot.length;
+        inward * pivot.rate < gravity * libm::cos(pivot.angle)
+            && tangential(&pivot, state).length() <= 2.0 * inward
     }
 
     /// The piece of the roll over the edge that begins with this state. Its end is [`Self::tipped`].
