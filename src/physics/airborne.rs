@@ -16,7 +16,7 @@ use crate::physics::table::{FLOOR, Ground, Nose, RAIL, Table};
 pub enum Landing {
     /// On the slate.
     Slate,
-    /// Against the far side of the edge of this pocket.
+    /// Against the edge of this pocket.
     Rim(usize),
     /// Against the wall of this pocket below the slate, or its liner above.
     Wall(usize),

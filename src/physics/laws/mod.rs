@@ -105,7 +105,7 @@ impl Laws {
         state
     }
 
-    /// A falling ball after it met the far side of the edge of a pocket, or else its wall or liner.
+    /// A falling ball after it met the edge of a pocket, or else its wall or liner.
     #[must_use]
     pub fn rattle(&self, pocket: &Pocket, ball: &Ball, state: &State, on_edge: bool) -> State {
         let mut after = match self.pocket {

@@ -6,7 +6,7 @@
 //!
 //! ω² = ω₀² + (k g/ℓ) (cos φ₀ − cos φ), ℓ = R + ρ, k = 10/7 rolling, 2 slipping,
 //!
-//! until the edge no longer presses, cos φ = ω² ℓ/g. Falling, it meets the far side of the edge as it would bounce from a
+//! until the edge no longer presses, cos φ = ω² ℓ/g. Falling, it meets the edge as it would bounce from a
 //! slate so turned, and the soft wall of the hole, away from the table up to the top of the cushions, which gives back a
 //! share of its motion in plan and lets it turn freely. It is gone when its centre reaches the bottom.
 //!
@@ -105,7 +105,7 @@ impl Pivot {
 }
 
 impl Rim {
-    /// A falling ball after it met the far side of the edge.
+    /// A falling ball after it met the edge.
     #[must_use]
     pub(in crate::physics::laws) fn off_edge(
         &self,
