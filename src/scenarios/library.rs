@@ -38,6 +38,7 @@ pub const BUILT_IN: &[BuiltIn] = &[
     scene!("cradle"),
     scene!("three-cushion"),
     scene!("masse"),
+    scene!("jump-shot"),
     scene!("gas"),
     scene!("coursework-1-collisions"),
     scene!("coursework-2-grid"),

@@ -80,6 +80,7 @@ fn both_solvers_end_the_same_where_nothing_is_chaotic() {
         "follow",
         "throw",
         "masse",
+        "jump-shot",
         "real-backspin",
         "real-side-curve",
     ] {
@@ -236,6 +237,18 @@ fn the_billiards_shots_do_what_they_say() {
         (0, Some(2)),
         "it goes round the 8"
     );
+    let (_, record) = played("jump-shot");
+    let hit = record
+        .events
+        .iter()
+        .find(|e| e.kind == EventKind::BallBall)
+        .expect("a hit");
+    assert_eq!(
+        (hit.first.ball, hit.second.map(|second| second.ball)),
+        (0, Some(2)),
+        "it flies over the 8"
+    );
+    assert!(!hit.first.before.motion.flies(), "it has landed");
     let (carom, record) = played("three-cushion");
     let white = carom.ball_named("white").expect("a white ball");
     let yellow = carom.ball_named("yellow").expect("a yellow ball");
