@@ -3,6 +3,7 @@
 mod collision;
 mod cushion;
 mod deflection;
+mod mathavan;
 mod simultaneous;
 mod slate;
 mod slide;
@@ -30,6 +31,14 @@ pub(super) const ALL: &[Family] = &[
     ),
     ("J11 J12 stroke and squirt", Work::Laws(stroke::rows)),
     ("J13 massé", Work::Shots(stroke::masse)),
+    (
+        "J14 cushion of nose and cloth",
+        Work::Laws(mathavan::cushion),
+    ),
+    (
+        "J15 balls pressed on the cloth",
+        Work::Laws(mathavan::ball_ball),
+    ),
     ("J16 bounces", Work::Shots(slate::rows)),
     ("cushions", Work::Laws(cushion::rows)),
     ("H15 H16 ball-ball laws", Work::Laws(symmetry::ball_ball)),
