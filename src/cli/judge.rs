@@ -8,6 +8,7 @@ use clap::Args;
 use crate::cli::{CommandError, say, to_file, to_stdout};
 use crate::report::chart;
 use crate::report::judge::{Judgement, judge, pictures};
+use crate::scenarios::preset;
 
 /// What to judge, and how to tell it.
 #[derive(Args, Debug)]
@@ -35,7 +36,11 @@ fn factor(text: &str) -> Result<f64, String> {
 
 /// Judges every law, prints the tables and draws the pictures. Exit code 1 if an exact judge misses.
 pub(super) fn run(options: &JudgeOptions) -> Result<ExitCode, CommandError> {
-    let judgement = judge(options.allow);
+    let mut presets = Vec::new();
+    for built_in in preset::BUILT_IN {
+        presets.push((built_in.name.to_owned(), built_in.preset()?.equipment));
+    }
+    let judgement = judge(options.allow, &presets);
     print(options, &judgement)?;
     let standard = (!options.json && !options.no_pictures).then(|| PathBuf::from("judge"));
     let drawn = options.out.clone().or(standard).map(|folder| draw(&folder));

@@ -2,14 +2,26 @@
 
 use masse::report::chart::{Axis, Chart, Ink, Panel, Series, draw};
 use masse::report::judge::pictures;
-use masse::report::judge::{Measure, Row, judge};
+use masse::report::judge::{Judgement, Measure, Row};
 use serde_json::Value;
 
 use crate::cli::{err, folder, masse, out, output};
 
+/// Everything, with the built-in presets.
+fn judged(allowance: f64) -> Judgement {
+    let presets: Vec<_> = masse::scenarios::preset::BUILT_IN
+        .iter()
+        .map(|preset| {
+            let equipment = preset.preset().expect("a built-in preset").equipment;
+            (preset.name.to_owned(), equipment)
+        })
+        .collect();
+    masse::report::judge::judge(allowance, &presets)
+}
+
 #[test]
 fn every_exact_judge_passes() {
-    let judgement = judge(1.0);
+    let judgement = judged(1.0);
     assert!(
         judgement.exact.len() > 300,
         "{} rows",
@@ -31,7 +43,7 @@ fn every_exact_judge_passes() {
 
 #[test]
 fn a_tolerance_of_nothing_is_missed() {
-    let judgement = judge(0.0);
+    let judgement = judged(0.0);
     let missed = judgement.missed();
     // What is exact to the last bit passes even then; closed forms with a sine in them do not.
     assert!(
@@ -40,13 +52,13 @@ fn a_tolerance_of_nothing_is_missed() {
         missed.len()
     );
     // Experiments have the scatter of others: they are not scaled.
-    assert_eq!(judgement.experiments, judge(1.0).experiments);
+    assert_eq!(judgement.experiments, judged(1.0).experiments);
 }
 
 #[test]
 fn every_registered_law_has_rows_in_both_tables() {
     use masse::physics::laws::{ball_ball::BallBallLaw, cushion::CushionLaw};
-    let judgement = judge(1.0);
+    let judgement = judged(1.0);
     let names = BallBallLaw::all()
         .into_iter()
         .map(|law| format!("{law:?}"))
@@ -62,7 +74,10 @@ fn every_registered_law_has_rows_in_both_tables() {
 
 #[test]
 fn a_missed_experiment_tells_why() {
-    let judgement = judge(1.0);
+    let judgement = judged(1.0);
+    for preset in ["preset snooker", "preset heated_carom"] {
+        assert!(judgement.experiments.iter().any(|row| row.law == preset));
+    }
     assert!(judgement.experiments.iter().any(|row| row.pass));
     for row in judgement.experiments.iter().filter(|row| !row.pass) {
         assert!(row.note.is_some(), "{} | {}", row.name, row.law);
@@ -72,7 +87,7 @@ fn a_missed_experiment_tells_why() {
 #[test]
 fn the_errors_of_the_coursework_are_those_that_were_found_before() {
     // Computed by another program from the formulas of the report.
-    let judgement = judge(1.0);
+    let judgement = judged(1.0);
     for (name, ours, tolerance) in [
         (
             "C1 drag fitted to the whole path of a 2 m/s shot: speed after 0.291 s",

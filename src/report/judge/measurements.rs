@@ -1,5 +1,10 @@
 //! What others measured, as printed by them or read off their figures. Data only.
 
+/// E1: Mathavan, Jackson & Parkin, Am. J. Phys. 77 (2009): least and greatest deceleration in m/s² of balls that roll and
+/// that slide.
+pub(super) const MATHAVAN_2009_ROLL: (f64, f64) = (0.124, 0.126);
+pub(super) const MATHAVAN_2009_SLIDE: (f64, f64) = (1.75, 2.40);
+
 /// E2: Mathavan, Jackson & Parkin, Am. J. Phys. 77 (2009), table I. Oblique hits by a rolling cue ball, snooker: speed in
 /// m/s and cut angle in degrees, then the settled speeds of cue ball and object ball in m/s.
 pub(super) const MATHAVAN_2009: [[f64; 4]; 5] = [
@@ -91,3 +96,6 @@ pub(super) const THREE_CUSHION_SETTLED: (f64, f64) = (0.4, 0.585);
 
 /// E10, faster rebounds: seen too early to count as settled.
 pub(super) const THREE_CUSHION_FAST: [(f64, f64); 2] = [(1.2, 0.76), (2.15, 0.80)];
+
+/// E10: deceleration in m/s² of balls that roll at 0.1 to 0.3, 0.3 to 0.6 and 0.6 to 1.0 m/s.
+pub(super) const CAROM_ROLL: [f64; 3] = [0.0418, 0.0431, 0.0480];

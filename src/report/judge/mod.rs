@@ -20,6 +20,7 @@ mod row;
 mod stand;
 mod table;
 
+pub use experiments::Named;
 pub use row::{CLOSED_FORM, Measure, Row};
 pub use stand::Stopped;
 
@@ -61,17 +62,19 @@ impl<T> Work<T> {
 /// A group of rows: the name it has if it cannot be computed, and what computes it.
 type Family = (&'static str, Work<Vec<Row>>);
 
-/// Judges every law. Tolerances of the exact judges are multiplied by `allowance`: 1 is what they are judged by, less
+/// Judges every law, and the presets of equipment given. Tolerances of the exact judges are multiplied by `allowance`: 1 is what they are judged by, less
 /// shows how much room is left.
 #[must_use]
-pub fn judge(allowance: f64) -> Judgement {
+pub fn judge(allowance: f64, presets: &[Named]) -> Judgement {
     let mut exact = gather(exact::ALL);
     for row in &mut exact {
         *row = row.clone().within(allowance * row.tolerance);
     }
+    let mut experiments = gather(experiments::ALL);
+    experiments.extend(experiments::preset_rows(presets));
     Judgement {
         exact,
-        experiments: gather(experiments::ALL),
+        experiments,
         coursework: gather(coursework::ALL),
     }
 }

@@ -125,7 +125,7 @@ pub(super) fn largest_throw() -> Vec<Row> {
         let why = if smooth {
             "Without friction there is no throw."
         } else {
-            "A constant 0.06 holds at medium speed; slow balls rub more."
+            "A constant friction that holds at medium speed is too little here: slow balls rub more."
         };
         rows.push(
             Row::measured(
@@ -197,7 +197,7 @@ pub(super) fn thumb() -> Result<Vec<Row>, Stopped> {
                 (Measure::Absolute, 1.0),
             )
             .by("Alciatore: about 7 to 8")
-            .because("The rule is that of lively, slightly rough balls; with e 0.95 the cue ball keeps a little more."),
+            .because("The rule is that of lively, slightly rough balls; with its default restitution the law leaves the cue ball a little more."),
         );
     }
     Ok(rows)

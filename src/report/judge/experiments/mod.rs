@@ -3,11 +3,14 @@
 mod ball_ball;
 mod cushion;
 mod frozen;
+mod presets;
 
 use crate::report::judge::{Family, Work};
 
 pub(super) use ball_ball::{oblique_speeds, throw_points};
 pub(super) use cushion::{settled_normal, square_ratio};
+pub use presets::Named;
+pub(super) use presets::rows as preset_rows;
 
 /// Every family, in the order of the table.
 pub(super) const ALL: &[Family] = &[

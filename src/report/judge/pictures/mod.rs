@@ -28,14 +28,14 @@ const MEASURED: Ink = Ink::dots(0);
 /// The coursework model.
 const COURSEWORK: Ink = Ink::dashed(1);
 
-/// The ink of the law with this place in its list: the colours that neither of the above has, and every second line
-/// dotted, because laws that share a root can lie on each other.
+/// The ink of the law with this place in its list: the colours that neither of the above has, and strokes of which a
+/// later kind leaves an earlier one visible below it, because laws that share a root can lie on each other.
 fn law_ink(place: usize) -> Ink {
     let colour = 2 + place % 5;
-    if place.is_multiple_of(2) {
-        Ink::line(colour)
-    } else {
-        Ink::dotted(colour)
+    match place % 5 {
+        2 => Ink::dotted(colour),
+        4 => Ink::dashed(colour),
+        _ => Ink::line(colour),
     }
 }
 

@@ -60,6 +60,8 @@ fn curves(range: (f64, f64), value: Value, model: Option<fn(f64) -> f64>) -> Vec
     for (i, (name, law)) in cushion_laws().iter().enumerate() {
         series.push(Series::curve(name, law_ink(i), range, |x| value(law, x)));
     }
+    // Full lines below broken ones.
+    series.sort_by_key(|series| series.ink.stroke);
     series
 }
 
@@ -118,7 +120,7 @@ fn square() -> Panel {
     let sudo = vec![(1.0, Sudo::CUSHION_SLOW)];
     series.push(Series::new(
         "E4 Sudo & Shibata 2002, below 1.8 m/s",
-        Ink::dots(1),
+        Ink::dots(6),
         sudo,
     ));
     Panel {
