@@ -20,7 +20,7 @@ pub(super) fn play(scene: Option<&str>, preset: Option<&str>) -> Result<ExitCode
     if let Some(name) = preset {
         scenario = Some(equipped(scenario, name)?);
     }
-    match window(scenario.as_ref()) {
+    match window(scenario.as_ref(), scene, preset) {
         Ok(code) => Ok(code),
         Err(reason) => {
             let name = scene.unwrap_or(BREAK);
@@ -65,8 +65,24 @@ fn equipped(scenario: Option<Scenario>, name: &str) -> Result<Scenario, CommandE
 
 /// Opens the window; the error is why there is none.
 #[cfg(feature = "window")]
-fn window(scenario: Option<&Scenario>) -> Result<ExitCode, String> {
-    let exit = crate::window::play(scenario.cloned()).map_err(|error| error.to_string())?;
+fn window(
+    scenario: Option<&Scenario>,
+    scene: Option<&str>,
+    preset: Option<&str>,
+) -> Result<ExitCode, String> {
+    use crate::window::Source;
+    let source = match (preset, scene, scenario) {
+        (Some(preset), ..) => Some(Source::Preset(preset.to_owned())),
+        (
+            None,
+            Some(scene),
+            Some(Scenario {
+                preset: Some(_), ..
+            }),
+        ) => Some(Source::Scene(scene.to_owned())),
+        _ => None,
+    };
+    let exit = crate::window::play(scenario.cloned(), source).map_err(|error| error.to_string())?;
     Ok(match exit {
         bevy::app::AppExit::Success => ExitCode::SUCCESS,
         bevy::app::AppExit::Error(code) => ExitCode::from(code.get()),
@@ -75,7 +91,7 @@ fn window(scenario: Option<&Scenario>) -> Result<ExitCode, String> {
 
 /// A build without a window never opens one.
 #[cfg(not(feature = "window"))]
-fn window(_: Option<&Scenario>) -> Result<ExitCode, String> {
+fn window(_: Option<&Scenario>, _: Option<&str>, _: Option<&str>) -> Result<ExitCode, String> {
     Err("this is a build without a window".to_owned())
 }
 

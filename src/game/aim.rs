@@ -11,6 +11,9 @@ pub struct Aim {
     pub ball: usize,
     /// The stroke.
     pub shot: Shot,
+    /// The elevation in rad that the player wishes. That of the shot is higher where the cue has no room, see
+    /// [`lift`](crate::game::lift).
+    pub wish: f64,
     /// How far the cue is drawn back, 0 to 1 of a full backstroke: what the picture shows.
     pub draw_back: f64,
 }
@@ -62,7 +65,8 @@ impl Aim {
     /// Raises the butt of the cue to this angle in rad, within what a player can do.
     pub fn set_elevation(&mut self, elevation: f64) {
         if elevation.is_finite() {
-            self.shot.elevation = elevation.clamp(0.0, Self::TOP_ELEVATION);
+            self.wish = elevation.clamp(0.0, Self::TOP_ELEVATION);
+            self.shot.elevation = self.wish;
         }
     }
 
@@ -87,6 +91,7 @@ impl Default for Aim {
         Self {
             ball: 0,
             shot: Shot::default(),
+            wish: 0.0,
             draw_back: 0.0,
         }
     }

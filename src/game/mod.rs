@@ -1,8 +1,10 @@
 //! The game without pixels: what the player aims, sees and hears of it, practice on an open table.
 
 pub mod aim;
+pub mod equip;
 pub mod guide;
 pub mod history;
+pub mod lift;
 pub mod placing;
 pub mod practice;
 pub mod preview;
@@ -20,6 +22,8 @@ impl Plugin for GamePlugin {
     fn build(&self, app: &mut App) {
         app.add_plugins((
             aim::plugin,
+            equip::plugin,
+            lift::plugin,
             practice::plugin,
             replay::plugin,
             view::plugin,

@@ -77,6 +77,14 @@ impl Default for Practice {
     }
 }
 
+impl Practice {
+    /// Moves on to another order of the balls in a rack.
+    pub(super) fn next_seed(&mut self) -> u64 {
+        self.seed += 1;
+        self.seed
+    }
+}
+
 pub(super) fn plugin(app: &mut App) {
     app.init_resource::<Practice>()
         .add_message::<PracticeCommand>()
@@ -153,7 +161,7 @@ fn begin(
     aim_at_next(&mut aim, &scene, practice.rack);
 }
 
-fn aim_at_next(aim: &mut Aim, scene: &Scene, rack: Rack) {
+pub(super) fn aim_at_next(aim: &mut Aim, scene: &Scene, rack: Rack) {
     aim.ball = scene.ball_named("cue").unwrap_or(0);
     if let Some(heading) = target::heading(scene, aim.ball, rack) {
         aim.set_heading(heading);
@@ -208,7 +216,7 @@ pub(super) fn obey(
             PracticeCommand::Rack(_) | PracticeCommand::Table(_) => {
                 if !scene.balls.is_empty() {
                     practice.history.laid(scene.clone(), *aim);
-                    practice.seed += 1;
+                    practice.next_seed();
                 }
                 let mut table = scene.table.clone();
                 match *command {
@@ -275,7 +283,7 @@ fn put_down(balls: &mut Placed, scene: &Scene, ball: usize) {
 }
 
 /// Takes up the cue for a scene that anybody lays out: its own shot if it plans one.
-fn take_up(mut scenes: MessageReader<LoadScene>, mut aim: ResMut<Aim>) {
+pub(super) fn take_up(mut scenes: MessageReader<LoadScene>, mut aim: ResMut<Aim>) {
     let Some(LoadScene(scene)) = scenes.read().last() else {
         return;
     };
@@ -283,6 +291,7 @@ fn take_up(mut scenes: MessageReader<LoadScene>, mut aim: ResMut<Aim>) {
     if let Some(planned) = scene.shot {
         aim.ball = planned.ball;
         aim.shot = planned.shot;
+        aim.wish = planned.shot.elevation;
     }
 }
 

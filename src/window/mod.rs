@@ -9,11 +9,13 @@ mod display;
 mod hud;
 mod input;
 mod pace;
+mod preset;
 mod render;
 mod shot_ui;
 mod sound;
 
 pub use display::{NoDisplay, snapshot};
+pub use preset::Source;
 pub use render::quality::RenderQuality;
 
 use bevy::app::PluginGroupBuilder;
@@ -67,6 +69,7 @@ impl Plugin for WindowPlugin {
                 shot_ui::plugin,
                 hud::plugin,
                 sound::plugin,
+                preset::plugin,
             ));
     }
 }
@@ -100,11 +103,12 @@ impl PluginGroup for Windowed {
     }
 }
 
-/// Opens the window and plays until it is closed, starting from this scene or from a racked table.
+/// Opens the window and plays until it is closed, starting from this scene or from a racked table. The files of the
+/// source, if there is one, are followed: a change of them comes to the table between two shots.
 ///
 /// # Errors
 /// [`NoDisplay`] if there is nothing to draw on or with.
-pub fn play(scenario: Option<Scenario>) -> Result<AppExit, NoDisplay> {
+pub fn play(scenario: Option<Scenario>, source: Option<Source>) -> Result<AppExit, NoDisplay> {
     let mut app = display::on_screen(|quality| {
         let mut app = App::new();
         app.insert_resource(quality)
@@ -114,6 +118,9 @@ pub fn play(scenario: Option<Scenario>) -> Result<AppExit, NoDisplay> {
     })?;
     let scene = scenario.map_or_else(practice::opening, |scenario| scenario.scene);
     lay_out(app.world_mut(), &scene);
+    if let Some(source) = source {
+        preset::begin(app.world_mut(), source);
+    }
     Ok(app.run())
 }
 

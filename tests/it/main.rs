@@ -9,6 +9,7 @@ mod controls;
 mod convergence;
 mod crowds;
 mod cue_path;
+mod equip;
 mod exact;
 mod frames;
 mod judge;

@@ -5,7 +5,9 @@ use std::time::Duration;
 use bevy::prelude::*;
 use bevy_egui::{EguiContexts, egui};
 
-use crate::sim::messages::Failed;
+use crate::game::equip::Told;
+use crate::physics::record::EventKind;
+use crate::sim::messages::{Failed, Struck};
 
 /// How long a notice stays.
 const STAY: Duration = Duration::from_secs(8);
@@ -49,9 +51,11 @@ pub(super) fn welcome(mut notices: ResMut<Notices>) {
     notices.tell(text.to_owned(), false, 2 * STAY);
 }
 
-/// Tells of a shot that could not be followed, and forgets what is old.
+/// Tells of a shot that could not be followed, of a miscue, of what others have to tell, and forgets what is old.
 pub(super) fn listen(
     mut failed: MessageReader<Failed>,
+    mut told: MessageReader<Told>,
+    mut struck: MessageReader<Struck>,
     time: Res<Time<Real>>,
     mut notices: ResMut<Notices>,
 ) {
@@ -61,6 +65,15 @@ pub(super) fn listen(
             failure.time, failure.reason
         );
         notices.tell(text, true, time.elapsed() + STAY);
+    }
+    for Struck(event) in struck.read() {
+        if event.kind == (EventKind::Strike { miscue: true }) {
+            let text = "Miscue: the tip slipped off the ball.".to_owned();
+            notices.tell(text, true, time.elapsed() + STAY);
+        }
+    }
+    for Told { text, is_failure } in told.read() {
+        notices.tell(text.clone(), *is_failure, time.elapsed() + STAY);
     }
     let now = time.elapsed();
     if notices.list.iter().any(|(.., until)| *until < now) {

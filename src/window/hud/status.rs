@@ -6,7 +6,6 @@ use bevy_egui::{EguiContexts, egui};
 use crate::game::aim::Aim;
 use crate::game::practice::Practice;
 use crate::game::volume::Volume;
-use crate::physics::ball::Motion;
 use crate::physics::record::EventKind;
 use crate::sim::clock::Clock;
 use crate::sim::components::{BallIndex, BallName, MotionKind};
@@ -41,6 +40,13 @@ pub(super) fn show(
         {
             parts.push("the cue ball is in a pocket: I brings it back".to_owned());
         }
+    }
+    if recorder
+        .events
+        .iter()
+        .any(|event| event.kind == (EventKind::Strike { miscue: true }))
+    {
+        parts.push("miscue".to_owned());
     }
     let potted = potted(&recorder, &balls);
     if !potted.is_empty() {
@@ -83,7 +89,12 @@ fn aimed(aim: &Aim) -> String {
         }
     }
     if shot.elevation > 0.0 {
-        parts.push(format!("{:.1}° up", shot.elevation.to_degrees()));
+        let least = if shot.elevation > aim.wish {
+            " (least)"
+        } else {
+            ""
+        };
+        parts.push(format!("{:.1}° up{least}", shot.elevation.to_degrees()));
     }
     parts.join(BETWEEN)
 }

@@ -11,7 +11,6 @@ use super::{Actions, fineness, on_panel};
 use crate::game::aim::Aim;
 use crate::game::practice::{Practice, PracticeCommand};
 use crate::game::view::{CameraInput, CameraMode, View};
-use crate::physics::ball;
 use crate::physics::cue::Shot;
 use crate::sim::clock::Clock;
 use crate::sim::components::{BallIndex, MotionKind, Position, Radius};

@@ -14,6 +14,7 @@ use bevy::prelude::*;
 use bevy_egui::input::{EguiWantsInput, egui_wants_any_keyboard_input};
 use leafwing_input_manager::prelude::ActionState;
 
+use crate::game::lift;
 use crate::window::WindowSystems;
 use crate::window::action::Action;
 
@@ -43,6 +44,7 @@ pub(super) fn plugin(app: &mut App) {
                 drag::place,
                 drag::look,
                 view::fast_forward,
+                lift::raise,
                 stroke::by_hand,
                 stroke::swing,
             )

@@ -1,11 +1,11 @@
 //! The cue stick: it lies along the aim, pulls back, strikes and fades away.
 
-use bevy::math::{DVec2, DVec3};
+use bevy::math::DVec3;
 use bevy::prelude::*;
 
 use crate::game::aim::Aim;
 use crate::game::replay::Replay;
-use crate::physics::cue::Shot;
+use crate::physics::cue::{Cue, Shot};
 use crate::sim::clock::Clock;
 use crate::sim::components::{BallIndex, MotionKind, Position, Radius};
 use crate::sim::messages::Struck;
@@ -194,7 +194,7 @@ fn show(
             let start = -ADDRESS - draw_back * BACKSTROKE;
             let reach = start + (FOLLOW_THROUGH - start) * ease_out(thrust);
             let fade = ((stroke.age - THRUST) / FADE).clamp(0.0, 1.0);
-            let mut placed = lay(&playfield, center, radius, &shot, reach);
+            let mut placed = lay(&playfield.cue, center, radius, &shot, reach);
             // It is taken away upwards and backwards rather than made of glass.
             let away = placed.rotation * Vec3::NEG_X * 0.25 + Vec3::Y * 0.12;
             placed.translation += away * fade * fade;
@@ -211,7 +211,7 @@ fn show(
     match ball {
         Some((_, position, radius, _)) if !clock.moving && !replay.is_active() => {
             let reach = -ADDRESS - aim.draw_back * BACKSTROKE;
-            **transform = lay(&playfield, position.0, radius.0, &aim.shot, reach);
+            **transform = lay(&playfield.cue, position.0, radius.0, &aim.shot, reach);
             visibility.set_if_neq(Visibility::Inherited);
         }
         _ => {
@@ -224,24 +224,13 @@ fn ease_out(t: f64) -> f64 {
     1.0 - (1.0 - t) * (1.0 - t)
 }
 
-/// The place of a stick whose tip is `reach` m beyond the contact point on the ball. The butt is held high enough to
-/// clear the rail, whatever the elevation of the shot.
-fn lay(playfield: &Playfield, center: DVec3, radius: f64, shot: &Shot, reach: f64) -> Transform {
-    let forward = shot.forward();
-    let right = forward.cross(DVec3::Y);
-    let basis = |pitch: f64| {
-        let (sin, cos) = libm::sincos(pitch);
-        (
-            cos * forward - sin * DVec3::Y,
-            sin * forward + cos * DVec3::Y,
-        )
-    };
-    let (along, up) = basis(shot.elevation);
-    let depth = (1.0 - shot.offset() * shot.offset()).max(0.0).sqrt();
-    let contact = center + radius * (shot.side * right + shot.height * up - depth * along);
-    let pitch = shot.elevation.max(clearance(playfield, contact, -forward));
-    let (along, _) = basis(pitch);
-    let tip = contact + reach * along;
+/// The place of a stick whose tip is `reach` m beyond where it touches the ball. The cue lies as the shot says: the aim is
+/// raised where it would pass through something.
+fn lay(cue: &Cue, center: DVec3, radius: f64, shot: &Shot, reach: f64) -> Transform {
+    let along = shot.along();
+    // The middle of the round tip lies on the line from the centre of the ball through the contact.
+    let middle = center + (radius + cue.tip_radius) * shot.contact();
+    let tip = middle + (cue.tip_radius + reach) * along;
     let z = along.cross(DVec3::Y).normalize_or(DVec3::Z);
     let y = z.cross(along);
     let rotation = Quat::from_mat3(&Mat3::from_cols(along.as_vec3(), y.as_vec3(), z.as_vec3()));
@@ -250,27 +239,4 @@ fn lay(playfield: &Playfield, center: DVec3, radius: f64, shot: &Shot, reach: f6
         rotation,
         scale: Vec3::ONE,
     }
-}
-
-/// The least elevation in rad at which a stick from `tip` backwards stays above the rail.
-fn clearance(playfield: &Playfield, tip: DVec3, back: DVec3) -> f64 {
-    let half = 0.5 * DVec2::new(playfield.table.length, playfield.table.width);
-    let distance = |at: f64, way: f64, edge: f64| {
-        if way.abs() < 1e-9 {
-            f64::INFINITY
-        } else {
-            (edge - at * way.signum()).max(0.0) / way.abs()
-        }
-    };
-    let to_nose = distance(tip.x, back.x, half.x).min(distance(tip.z, back.z, half.y));
-    let need = |away: f64, height: f64| libm::atan2(height - tip.y, away.max(0.03));
-    let top = 1.16 * playfield.table.nose_height;
-    let rail = to_nose + 0.06;
-    let over_nose = need(to_nose, playfield.table.nose_height + 0.011);
-    let over_rail = if rail < LENGTH {
-        need(rail, top + 0.013)
-    } else {
-        0.0
-    };
-    over_nose.max(over_rail).clamp(0.02, 1.2)
 }

@@ -4,6 +4,7 @@
 //! so the game can be played with the mouse alone.
 
 mod cue_ball;
+mod equipment;
 mod last;
 mod model;
 mod numbers;
@@ -16,6 +17,8 @@ use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
 use leafwing_input_manager::prelude::ActionState;
 
 use crate::game::aim::{Aim, Swing};
+use crate::game::equip::{ChoosePreset, Equip, PresetInUse};
+use crate::game::lift::CueRoom;
 use crate::game::practice::{Practice, PracticeCommand};
 use crate::game::view::View;
 use crate::game::volume::Volume;
@@ -34,12 +37,15 @@ struct ShotPanel {
     open: bool,
     /// What a step button changes: 1, 0.1, 0.01 or 0.001 of a coarse step.
     step: f64,
+    /// A file that the player types.
+    preset_file: String,
 }
 
 pub(super) fn plugin(app: &mut App) {
     app.insert_resource(ShotPanel {
         open: true,
         step: 1.0,
+        preset_file: String::new(),
     })
     .add_systems(
         PreUpdate,
@@ -64,6 +70,10 @@ struct Desk<'w, 's> {
     balls: BallQuery<'w, 's>,
     swings: MessageWriter<'w, Swing>,
     commands: MessageWriter<'w, PracticeCommand>,
+    room: Res<'w, CueRoom>,
+    preset: Res<'w, PresetInUse>,
+    choose: MessageWriter<'w, ChoosePreset>,
+    equip: MessageWriter<'w, Equip>,
 }
 
 fn toggle(actions: Single<&ActionState<Action>>, mut panel: ResMut<ShotPanel>) {
@@ -110,6 +120,7 @@ fn contents(ui: &mut egui::Ui, desk: &mut Desk) {
     ui.separator();
     table::show(ui, desk);
     ui.separator();
+    ui.collapsing("Equipment", |ui| equipment::show(ui, desk));
     ui.collapsing("Last shot", |ui| last::show(ui, desk));
     ui.collapsing("Laws and solver", |ui| model::show(ui, desk));
 }

@@ -3,7 +3,7 @@
 use bevy::prelude::DetectChangesMut;
 use bevy_egui::egui;
 
-use super::{Desk, cue_ball};
+use super::{Desk, cue_ball, equipment};
 use crate::game::aim::{Aim, Swing};
 use crate::physics::ball::State;
 use crate::physics::scene::strike_with;
@@ -25,9 +25,11 @@ const SHOWN: f64 = 0.5e-6;
 /// Lays out the cue ball, the numbers and the strike button.
 pub(super) fn show(ui: &mut egui::Ui, desk: &mut Desk) {
     let mut aim = *desk.aim;
-    let miscue = desk.playfield.cue.miscue_offset;
+    let cue = desk.playfield.cue;
+    let ball = desk.balls.iter().find(|ball| ball.0.0 == aim.ball);
+    let radius = ball.map_or(0.028, |ball| ball.6.0);
     ui.horizontal(|ui| {
-        if let Some((side, height)) = cue_ball::show(ui, aim.shot.side, aim.shot.height, miscue) {
+        if let Some((side, height)) = cue_ball::show(ui, &aim.shot, &cue, radius) {
             aim.set_tip(side, height);
         }
         ui.vertical(|ui| {
@@ -44,6 +46,7 @@ pub(super) fn show(ui: &mut egui::Ui, desk: &mut Desk) {
         }
     });
     rows(ui, desk.panel.step, &mut aim);
+    equipment::room(ui, desk);
     // Only a real change counts as one: the preview is played anew whenever the aim changes.
     desk.aim.set_if_neq(aim);
     ui.horizontal(|ui| {
@@ -168,8 +171,9 @@ fn effect(ui: &mut egui::Ui, desk: &Desk, aim: &Aim) {
     };
     ui.label(format!("Squirt {:.3}°{side}", squirt.abs()));
     ui.label(format!("Offset {:.3} R", aim.shot.offset())).on_hover_text(
-        "Click or drag on the ball: where the tip hits. Shift: finer. Double click: the centre. Beyond the red circle \
-         the tip slips.",
+        "How far from the centre the tip touches the ball. Click or drag on the ball to place the tip: being round it \
+         touches a little nearer to the centre than its middle is. Shift: finer. Double click: the centre. Beyond the red \
+         circle the tip slips.",
     );
     if struck.miscue {
         ui.colored_label(

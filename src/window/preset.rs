@@ -1,0 +1,275 @@
+//! Presets in the window: they are opened when they are chosen, and their files are followed while they are played with.
+
+use std::path::{Path, PathBuf};
+use std::time::{Duration, SystemTime};
+
+use bevy::prelude::*;
+use bevy::time::common_conditions::on_real_timer;
+
+use crate::game::equip::{ChoosePreset, Equip, PresetInUse, Told};
+use crate::physics::equipment::{BallSet, Equipment};
+use crate::scenarios::{library, preset};
+
+/// How often the files are looked at.
+const LOOK: Duration = Duration::from_millis(300);
+
+/// Where the equipment comes from.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Source {
+    /// The preset with this name, or in this file.
+    Preset(String),
+    /// The scene with this name, or in this file, which names a preset and may change some of it.
+    Scene(String),
+}
+
+/// The files in use, and how they were when they were last read.
+#[derive(Resource, Debug, Default)]
+struct Followed {
+    source: Option<Source>,
+    files: Vec<(PathBuf, Stamp)>,
+    /// A change is taken up when the file has been left alone for one look: whoever writes it may not be done.
+    changing: bool,
+}
+
+/// When a file was written and how long it is; none if it is not there.
+type Stamp = Option<(SystemTime, u64)>;
+
+pub(super) fn plugin(app: &mut App) {
+    app.init_resource::<Followed>().add_systems(
+        Last,
+        (
+            choose.run_if(on_message::<ChoosePreset>),
+            follow.run_if(on_real_timer(LOOK)),
+        )
+            .chain(),
+    );
+}
+
+/// Follows the files of this source from now on; what they say is on the table already.
+pub(super) fn begin(world: &mut World, source: Source) {
+    let opened = open(&source);
+    let mut followed = world.resource_mut::<Followed>();
+    if let Ok(opened) = opened {
+        followed.watch(opened.files);
+        if let Some(name) = opened.preset {
+            world.resource_mut::<PresetInUse>().0 = Some(name);
+        }
+        world.resource_mut::<Followed>().source = Some(source);
+    }
+}
+
+/// What a source says.
+struct Opened {
+    title: String,
+    preset: Option<String>,
+    equipment: Equipment,
+    files: Vec<PathBuf>,
+}
+
+/// Opens a source; the error is a line for the player.
+fn open(source: &Source) -> Result<Opened, String> {
+    match source {
+        Source::Preset(name) => {
+            let preset = preset::open(name).map_err(|error| error.to_string())?;
+            Ok(Opened {
+                title: preset.title,
+                preset: Some(name.clone()),
+                equipment: preset.equipment,
+                files: preset.files,
+            })
+        }
+        Source::Scene(name) => {
+            let scenario = library::open(name).map_err(|error| error.to_string())?;
+            let mut files = match &scenario.preset {
+                Some(name) => preset::open(name).map_err(|error| error.to_string())?.files,
+                None => Vec::new(),
+            };
+            files.extend(Path::new(name).is_file().then(|| PathBuf::from(name)));
+            Ok(Opened {
+                title: scenario.title,
+                preset: scenario.preset,
+                equipment: Equipment {
+                    balls: BallSet::in_scene(&scenario.scene).unwrap_or_default(),
+                    table: scenario.scene.table,
+                    laws: scenario.scene.laws,
+                    cue: scenario.scene.cue,
+                },
+                files,
+            })
+        }
+    }
+}
+
+impl Followed {
+    fn watch(&mut self, files: Vec<PathBuf>) {
+        self.files = files
+            .into_iter()
+            .map(|file| (file.clone(), stamp(&file)))
+            .collect();
+        self.changing = false;
+    }
+
+    /// Whether a file has changed and is now left alone.
+    fn has_changed(&mut self) -> bool {
+        let mut moved = false;
+        for (file, known) in &mut self.files {
+            let now = stamp(file);
+            moved |= now != *known;
+            *known = now;
+        }
+        let settled = self.changing && !moved;
+        self.changing = moved;
+        settled
+    }
+}
+
+fn stamp(file: &Path) -> Stamp {
+    let known = std::fs::metadata(file).ok()?;
+    Some((known.modified().ok()?, known.len()))
+}
+
+/// Opens the preset that was asked for and racks with it.
+fn choose(
+    mut asked: MessageReader<ChoosePreset>,
+    mut followed: ResMut<Followed>,
+    mut in_use: ResMut<PresetInUse>,
+    mut equip: MessageWriter<Equip>,
+    mut told: MessageWriter<Told>,
+) {
+    let Some(ChoosePreset(name)) = asked.read().last() else {
+        return;
+    };
+    let source = Source::Preset(name.clone());
+    match open(&source) {
+        Ok(opened) => {
+            followed.watch(opened.files);
+            followed.source = Some(source);
+            in_use.0 = opened.preset;
+            equip.write(Equip {
+                equipment: opened.equipment,
+                rack: true,
+            });
+            told.write(Told {
+                text: opened.title,
+                is_failure: false,
+            });
+        }
+        Err(error) => {
+            told.write(Told {
+                text: error,
+                is_failure: true,
+            });
+        }
+    }
+}
+
+/// Reads what has changed again. A file that is no good now changes nothing.
+fn follow(
+    mut followed: ResMut<Followed>,
+    mut equip: MessageWriter<Equip>,
+    mut told: MessageWriter<Told>,
+) {
+    let Some(source) = followed.source.clone() else {
+        return;
+    };
+    if !followed.has_changed() {
+        return;
+    }
+    let name = match &source {
+        Source::Preset(name) | Source::Scene(name) => name.clone(),
+    };
+    match open(&source) {
+        Ok(opened) => {
+            followed.watch(opened.files);
+            equip.write(Equip {
+                equipment: opened.equipment,
+                rack: false,
+            });
+            told.write(Told {
+                text: format!("{name} has changed: played with from the next shot on."),
+                is_failure: false,
+            });
+        }
+        Err(error) => {
+            told.write(Told {
+                text: format!("{error}\nPlaying on with what it said before."),
+                is_failure: true,
+            });
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// An app that follows this preset file, and its last words.
+    fn app(file: &Path) -> App {
+        let mut app = App::new();
+        app.add_plugins((
+            MinimalPlugins,
+            crate::sim::SimPlugin,
+            crate::game::GamePlugin,
+        ));
+        app.add_plugins(plugin);
+        app.finish();
+        app.cleanup();
+        begin(app.world_mut(), Source::Preset(file.display().to_string()));
+        app
+    }
+
+    /// Looks often enough to see a change and take it up.
+    fn look(app: &mut App) -> (Option<Equip>, Option<Told>) {
+        let mut heard = (None, None);
+        for _ in 0..8 {
+            std::thread::sleep(LOOK / 3);
+            app.update();
+            let world = app.world_mut();
+            if let Some(equip) = world.resource_mut::<Messages<Equip>>().drain().last() {
+                heard.0 = Some(equip);
+            }
+            if let Some(told) = world.resource_mut::<Messages<Told>>().drain().last() {
+                heard.1 = Some(told);
+            }
+        }
+        heard
+    }
+
+    #[test]
+    fn a_file_is_followed_and_a_broken_one_changes_nothing() {
+        let folder = std::env::temp_dir().join(format!("masse-follow-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).expect("a folder");
+        let file = folder.join("mine.ron");
+        let write = |text: &str| std::fs::write(&file, text).expect("a file");
+        write("(base: \"pool\")");
+        let mut app = app(&file);
+        let in_use = app.world().resource::<PresetInUse>().0.clone();
+        assert_eq!(in_use, Some(file.display().to_string()));
+        assert_eq!(look(&mut app), (None, None));
+        write("(base: \"pool\", set: {\"laws.cushion.restitution\": 0.7})");
+        let (equip, told) = look(&mut app);
+        let equip = equip.expect("a change is taken up");
+        assert_eq!(equip.equipment.laws.cushion.restitution(), 0.7);
+        assert!(!equip.rack && told.is_some_and(|told| !told.is_failure));
+        write("(base: \"pool\", set: {\"laws.cushion.restitution\": 1.7})");
+        let (equip, told) = look(&mut app);
+        let text = told.filter(|told| told.is_failure).expect("an error").text;
+        assert_eq!(equip, None);
+        for part in [
+            "mine.ron",
+            "laws.cushion.restitution",
+            "1.7",
+            "between 0 and 1",
+        ] {
+            assert!(text.contains(part), "{text}");
+        }
+        assert_eq!(look(&mut app), (None, None), "an error is told once");
+        write("(base: \"snooker\")");
+        let (equip, _) = look(&mut app);
+        assert_eq!(
+            equip.map(|equip| equip.equipment.balls.cue.mass),
+            Some(0.1406)
+        );
+        let _ = std::fs::remove_dir_all(&folder);
+    }
+}
