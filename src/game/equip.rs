@@ -4,6 +4,7 @@ use bevy::prelude::*;
 
 use crate::game::aim::Aim;
 use crate::game::practice::{self, BREAK_SPEED, Practice, aim_at_next, obey, take_up};
+use crate::game::replay::Replay;
 use crate::physics::equipment::{BallSet, Equipment};
 use crate::sim::SimSystems;
 use crate::sim::clock::Clock;
@@ -62,8 +63,9 @@ fn wait(mut asked: MessageReader<Equip>, mut waiting: ResMut<Waiting>) {
     }
 }
 
-fn is_waited_for(waiting: Res<Waiting>, clock: Res<Clock>) -> bool {
-    waiting.0.is_some() && !clock.moving
+/// Nothing is exchanged under moving balls, nor under a replay of the old ones.
+fn is_waited_for(waiting: Res<Waiting>, clock: Res<Clock>, replay: Res<Replay>) -> bool {
+    waiting.0.is_some() && !clock.moving && !replay.is_active()
 }
 
 /// Brings the equipment to the table. Where only laws or the cue are others nothing is laid out again.

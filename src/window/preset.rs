@@ -249,7 +249,7 @@ mod tests {
         write("(base: \"pool\", set: {\"laws.cushion.restitution\": 0.7})");
         let (equip, told) = look(&mut app);
         let equip = equip.expect("a change is taken up");
-        assert_eq!(equip.equipment.laws.cushion.restitution(), 0.7);
+        assert_eq!(equip.equipment.laws.cushion.restitution(1.0), 0.7);
         assert!(!equip.rack && told.is_some_and(|told| !told.is_failure));
         write("(base: \"pool\", set: {\"laws.cushion.restitution\": 1.7})");
         let (equip, told) = look(&mut app);
