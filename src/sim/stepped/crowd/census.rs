@@ -58,8 +58,8 @@ pub struct Census {
     pub parts: u32,
     /// Tiles that had to be solved again together with a neighbour, because a chain of contacts ran through both.
     pub repeated: u64,
-    /// Balls that met so many others in the tick that their last contacts were left to the next one: the scene is denser
-    /// than the solver keeps apart.
+    /// Balls that met so many others in the tick that from then on they no longer bounced and met them in fixed short
+    /// intervals: the scene is denser than the solver keeps apart, and [`Self::overlap`] says by how much.
     pub saturated: u64,
     /// Time of each pass, in the order of [`Pass::ALL`].
     pub times: [Duration; 6],

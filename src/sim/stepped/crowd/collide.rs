@@ -8,12 +8,17 @@ use crate::physics::table::Cushion;
 use crate::sim::stepped::crowd::body::Body;
 use crate::sim::stepped::crowd::patch::{END, MARGIN, Origin, Patch, Stretch};
 use crate::sim::stepped::crowd::queue::{Contact, Kind};
-use crate::sim::stepped::resolve::IMPACTS;
+use crate::sim::stepped::resolve::{BOUNCES, IMPACTS};
+
+/// A ball that has met so many others in a part of a tick that it no longer bounces meets them at most this often in a
+/// part: balls pressed together would meet without end. Until then they may overlap a little.
+const RATTLES: f64 = 16.0;
 
 impl<B: Body> Patch<B> {
     /// Finds the first contact of every pair and every change of motion.
     pub(super) fn collide_balls(&mut self, stretch: &Stretch) {
         self.find_close(stretch);
+        self.sieve(stretch);
         for k in 0..self.close.len() {
             let [first, second] = self.close[k];
             self.find_pair(stretch, first, second, 0.0);
@@ -34,11 +39,18 @@ impl<B: Body> Patch<B> {
     fn find_close(&mut self, stretch: &Stretch) {
         let reach = 2.0 * (stretch.ball.radius + self.slack) * (1.0 + MARGIN);
         let reach = reach * reach;
+        let Self {
+            x: xs,
+            z: zs,
+            first,
+            close,
+            ..
+        } = self;
         let mut found = 0;
         for row in 0..self.rows {
             for column in 0..self.columns {
                 let cell = row * self.columns + column;
-                let (begin, end) = (self.first[cell] as usize, self.first[cell + 1] as usize);
+                let (begin, end) = (first[cell] as usize, first[cell + 1] as usize);
                 if begin == end {
                     continue;
                 }
@@ -46,34 +58,63 @@ impl<B: Body> Patch<B> {
                 let right = (column + self.span[0]).min(self.columns - 1);
                 for other in row..=(row + self.span[1]).min(self.rows - 1) {
                     let other_row = other * self.columns;
-                    let last = self.first[other_row + right + 1] as usize;
-                    let window = self.first[other_row + left] as usize;
+                    let last = first[other_row + right + 1] as usize;
+                    let window = if other == row {
+                        begin
+                    } else {
+                        first[other_row + left] as usize
+                    };
+                    let most = found + (end - begin) * (last - window);
+                    if close.len() < most {
+                        close.resize(2 * most + 64, [0; 2]);
+                    }
                     for ball in begin..end {
                         let from = if other == row { ball + 1 } else { window };
-                        if from >= last {
-                            continue;
-                        }
-                        let (x, z) = (self.x[ball], self.z[ball]);
-                        if self.close.len() < found + last - from {
-                            self.close.resize(2 * (found + last - from) + 64, [0; 2]);
-                        }
-                        let close = &mut self.close[found..found + last - from];
-                        let mut hits = 0;
-                        for ((other, x2), z2) in (from as u32..)
-                            .zip(&self.x[from..last])
-                            .zip(&self.z[from..last])
-                        {
+                        let (x, z) = (xs[ball], zs[ball]);
+                        let window = xs[from..last].iter().zip(&zs[from..last]);
+                        for (other, (x2, z2)) in (from as u32..).zip(window) {
                             let (dx, dz) = (x2 - x, z2 - z);
                             // Written always, kept when near: a branch would be guessed wrongly half the time.
-                            close[hits] = [ball as u32, other];
-                            hits += usize::from(dx * dx + dz * dz < reach);
+                            close[found] = [ball as u32, other];
+                            found += usize::from(dx * dx + dz * dz < reach);
                         }
-                        found += hits;
                     }
                 }
             }
         }
-        self.close.truncate(found);
+        close.truncate(found);
+    }
+
+    /// Keeps of the close pairs those that certainly or perhaps meet, without a division and without a root.
+    fn sieve(&mut self, stretch: &Stretch) {
+        let length = stretch.length;
+        let reach = 2.0 * stretch.ball.radius;
+        // Two balls that both bend stay this close to straight lines.
+        let margin = if B::BENDS {
+            self.bend * length * length
+        } else {
+            0.0
+        };
+        let wide = (reach + margin) * (1.0 + MARGIN);
+        let wide = wide * wide;
+        let mut kept = 0;
+        for k in 0..self.close.len() {
+            let pair = self.close[k];
+            let (a, b) = (
+                &self.bodies[pair[0] as usize],
+                &self.bodies[pair[1] as usize],
+            );
+            let offset = b.position(0.0) - a.position(0.0);
+            let velocity = b.velocity(0.0) - a.velocity(0.0);
+            let gap = offset.length_squared() - wide;
+            let slope = offset.dot(velocity);
+            let square = velocity.length_squared();
+            let end = gap + length * (2.0 * slope + square * length);
+            let meets = (gap * square <= slope * slope) & (-slope < square * length) | (end <= 0.0);
+            self.close[kept] = pair;
+            kept += usize::from((gap <= 0.0) | (slope < 0.0) & meets);
+        }
+        self.close.truncate(kept);
     }
 
     /// Finds the contacts of one ball with all others from this time on.
@@ -93,27 +134,34 @@ impl<B: Body> Patch<B> {
         let (left, right) = (column(low.x), column(high.x));
         let (low, high) = (row(low.y), row(high.y));
         let square = reach * reach;
+        let mut near = std::mem::take(&mut self.near);
+        near.clear();
         for row in low..=high {
-            let row = row * self.columns;
-            let window = self.first[row + left]..self.first[row + right + 1];
-            for other in window {
-                let dx = self.x[other as usize] - middle.x;
-                let dz = self.z[other as usize] - middle.y;
-                if dx * dx + dz * dz < square && other != ball {
-                    self.find_pair(stretch, ball, other, time);
+            let (from, to) = (row * self.columns + left, row * self.columns + right + 1);
+            let (begin, end) = (self.first[from] as usize, self.first[to] as usize);
+            let window = self.x[begin..end].iter().zip(&self.z[begin..end]);
+            for (other, (x, z)) in (begin as u32..).zip(window) {
+                let (dx, dz) = (x - middle.x, z - middle.y);
+                if dx * dx + dz * dz < square {
+                    near.push(other);
                 }
             }
-            for cell in row + left..=row + right {
-                let mut other = self.heads[cell];
+            for &head in &self.heads[from..to] {
+                let mut other = head;
                 while other != END {
-                    let next = self.next[other as usize];
-                    if other != ball {
-                        self.find_pair(stretch, ball, other, time);
+                    if self.middles[other as usize].distance_squared(middle) < square {
+                        near.push(other);
                     }
-                    other = next;
+                    other = self.next[other as usize];
                 }
             }
         }
+        for &other in &near {
+            if other != ball {
+                self.find_pair(stretch, ball, other, time);
+            }
+        }
+        self.near = near;
         for k in 0..self.fast.len() {
             if self.fast[k] != ball {
                 self.find_pair(stretch, ball, self.fast[k], time);
@@ -173,7 +221,14 @@ impl<B: Body> Patch<B> {
         }
         let met = contact::pair(&track(a, ages[0]), &track(b, ages[1]), reach, left);
         let met = found(&mut self.failure, &self.origins[i], met);
-        if let Some(met) = met {
+        if let Some(mut met) = met {
+            if self.impacts[i].max(self.impacts[j]) >= BOUNCES {
+                // A ball that rattles between others meets them at most so often.
+                met = met.max(stretch.length / RATTLES);
+                if time + met > stretch.length {
+                    return;
+                }
+            }
             let (first, second) = (self.origins[i].number, self.origins[j].number);
             self.calendar.push(Contact {
                 time: time + met,
@@ -195,8 +250,11 @@ impl<B: Body> Patch<B> {
         {
             return;
         }
-        for ball in 0..self.bodies.len() as u32 {
-            self.find_cushions(stretch, ball, 0.0);
+        let half = 0.5 * stretch.length;
+        for ball in 0..self.bodies.len() {
+            if !stretch.walls.is_clear(self.bodies[ball].position(half)) {
+                self.find_cushions(stretch, ball as u32, 0.0);
+            }
         }
     }
 
@@ -206,7 +264,11 @@ impl<B: Body> Patch<B> {
         let body = &self.bodies[i];
         let age = time - self.since[i];
         let mut left = stretch.length - time;
-        let near = stretch.walls.near(body.position(age + 0.5 * left));
+        let middle = body.position(age + 0.5 * left);
+        if stretch.walls.is_clear(middle) {
+            return;
+        }
+        let near = stretch.walls.near(middle);
         if near.is_empty() || !body.translates() {
             return;
         }

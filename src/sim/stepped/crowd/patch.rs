@@ -70,6 +70,8 @@ pub(super) struct Patch<B> {
     /// The middle of each path of the stretch; infinite once the ball is listed elsewhere.
     pub(super) x: Vec<f64>,
     pub(super) z: Vec<f64>,
+    /// The middle of the new path of a ball that is listed in a chain.
+    pub(super) middles: Vec<DVec2>,
     /// Index of the first ball of each cell.
     pub(super) first: Vec<u32>,
     /// Balls whose path has changed, chained by cell.
@@ -83,6 +85,8 @@ pub(super) struct Patch<B> {
     pub(super) calendar: Calendar,
     /// Pairs close enough to be looked at.
     pub(super) close: Vec<[u32; 2]>,
+    /// Balls close enough to one to be looked at.
+    pub(super) near: Vec<u32>,
     pub(super) least: DVec2,
     pub(super) per_cell: DVec2,
     pub(super) columns: usize,
@@ -106,6 +110,7 @@ impl<B: Body> Patch<B> {
             origins: Vec::new(),
             x: Vec::new(),
             z: Vec::new(),
+            middles: Vec::new(),
             first: Vec::new(),
             heads: Vec::new(),
             next: Vec::new(),
@@ -116,6 +121,7 @@ impl<B: Body> Patch<B> {
             impacts: Vec::new(),
             calendar: Calendar::default(),
             close: Vec::new(),
+            near: Vec::new(),
             least: DVec2::ZERO,
             per_cell: DVec2::ONE,
             columns: 0,
@@ -253,6 +259,7 @@ impl<B: Body> Patch<B> {
         refill(&mut self.listed, count, STATIC);
         refill(&mut self.heads, cells, END);
         self.next.resize(count, END);
+        self.middles.resize(count, DVec2::ZERO);
         self.list_fast(stretch);
         self.calendar.reset(stretch.length, count / 2);
     }

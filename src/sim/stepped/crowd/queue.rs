@@ -75,16 +75,14 @@ impl Calendar {
     #[inline]
     pub fn pop(&mut self, is_fresh: impl Fn(&Contact) -> bool) -> Option<Contact> {
         while self.today < self.days.len() {
-            let mut best: Option<(Contact, u32, u32)> = None;
+            let (mut best, mut before_best) = (END, END);
             let (mut before, mut at) = (END, self.days[self.today]);
             while at != END {
-                let (contact, next) = self.contacts[at as usize];
-                if is_fresh(&contact) {
-                    if best
-                        .as_ref()
-                        .is_none_or(|(first, ..)| contact.is_before(first))
-                    {
-                        best = Some((contact, before, at));
+                let (contact, next) = &self.contacts[at as usize];
+                let next = *next;
+                if is_fresh(contact) {
+                    if best == END || contact.is_before(&self.contacts[best as usize].0) {
+                        (best, before_best) = (at, before);
                     }
                     before = at;
                 } else {
@@ -92,9 +90,9 @@ impl Calendar {
                 }
                 at = next;
             }
-            if let Some((contact, before, at)) = best {
-                let next = self.contacts[at as usize].1;
-                self.unlink(before, next);
+            if best != END {
+                let (contact, next) = self.contacts[best as usize];
+                self.unlink(before_best, next);
                 return Some(contact);
             }
             self.today += 1;

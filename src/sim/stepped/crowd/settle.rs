@@ -36,10 +36,10 @@ impl<B: Body> Patch<B> {
                     self.find_change(stretch, ball);
                 }
                 let impacts = self.impacts[ball as usize];
+                if self.origins[ball as usize].role == Role::Own && impacts == BOUNCES {
+                    self.tally.saturated += 1;
+                }
                 if impacts > IMPACTS {
-                    if self.origins[ball as usize].role == Role::Own {
-                        self.tally.saturated += u64::from(impacts == IMPACTS + 1);
-                    }
                     continue;
                 }
                 self.scan(stretch, ball, time);
@@ -128,10 +128,12 @@ impl<B: Body> Patch<B> {
         self.x[i] = f64::INFINITY;
         let left = stretch.length - time;
         let body = &self.bodies[i];
+        let middle = body.position(0.5 * left);
+        self.middles[i] = middle;
         let new = if Self::extent(body, 0.0, left) > self.slack {
             FAST
         } else {
-            self.cell(body.position(0.5 * left)) as u32
+            self.cell(middle) as u32
         };
         if new == old {
             return;

@@ -49,7 +49,9 @@ impl<B: Body> Outcome<B> {
     pub fn take(&mut self, stretch: &Stretch, patch: &Patch<B>, tile: u32, home: &Tile<B>) {
         self.slept = false;
         self.copies.clear();
-        self.bodies.clone_from(&home.bodies);
+        self.bodies.truncate(home.bodies.len());
+        let known = self.bodies.len();
+        self.bodies.extend_from_slice(&home.bodies[known..]);
         self.changes.resize(self.bodies.len(), 0);
         for (body, changes, origin) in patch.ends(stretch) {
             match origin.role {

@@ -13,6 +13,8 @@ pub(super) struct Walls {
     rows: usize,
     first: Vec<u32>,
     cushions: Vec<u32>,
+    /// A rectangle in which no ball touches anything: the middle of a box without pegs.
+    clear: [DVec2; 2],
 }
 
 /// Most cells along one side.
@@ -25,7 +27,13 @@ impl Walls {
         let size = DVec2::new(table.length, table.width);
         let cell = DVec2::splat(2.0 * reach).max(size / MOST);
         let cells = (size / cell).ceil().max(DVec2::ONE);
+        let clear = [DVec2::splat(reach) - 0.5 * size, 0.5 * size - reach];
+        let is_outside = table.cushions.iter().all(|cushion| {
+            let (least, most) = cushion.bounds();
+            (least - reach).cmpge(clear[1]).any() || (most + reach).cmple(clear[0]).any()
+        });
         let mut walls = Self {
+            clear: if is_outside { clear } else { [DVec2::ZERO; 2] },
             least: -0.5 * size,
             per_cell: cells / size,
             columns: cells.x as usize,
@@ -62,6 +70,13 @@ impl Walls {
             (at.x as usize).min(self.columns - 1),
             (at.y as usize).min(self.rows - 1),
         ]
+    }
+
+    /// Whether there is certainly no cushion near a ball with the middle of its path here.
+    #[inline]
+    pub fn is_clear(&self, point: DVec2) -> bool {
+        let [least, most] = self.clear;
+        point.x > least.x && point.y > least.y && point.x < most.x && point.y < most.y
     }
 
     /// The cushions that a ball with the middle of its path here can touch.
