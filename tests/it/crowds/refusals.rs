@@ -72,7 +72,7 @@ fn more_balls_than_fit_are_refused() {
     }
     let refusal = refusal(&scene);
     assert!(
-        refusal.contains("100 balls") && refusal.contains("%"),
+        refusal.contains("100 balls") && refusal.contains('%'),
         "{refusal}"
     );
 }

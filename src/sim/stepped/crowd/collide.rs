@@ -110,9 +110,10 @@ impl<B: Body> Patch<B> {
             let slope = offset.dot(velocity);
             let square = velocity.length_squared();
             let end = gap + length * (2.0 * slope + square * length);
-            let meets = (gap * square <= slope * slope) & (-slope < square * length) | (end <= 0.0);
+            let passes = gap * square > slope * slope || -slope >= square * length;
+            let meets = gap <= 0.0 || slope < 0.0 && (end <= 0.0 || !passes);
             self.close[kept] = pair;
-            kept += usize::from((gap <= 0.0) | (slope < 0.0) & meets);
+            kept += usize::from(meets);
         }
         self.close.truncate(kept);
     }
@@ -169,23 +170,13 @@ impl<B: Body> Patch<B> {
         }
     }
 
-    /// Finds when two balls meet.
+    /// Finds when two balls meet. Most pass each other, which is told without a division and without a root.
     #[inline]
     pub(super) fn find_pair(&mut self, stretch: &Stretch, one: u32, other: u32, time: f64) {
         let (i, j) = (one as usize, other as usize);
-        let in_order = self.origins[i].number < self.origins[j].number;
-        let (i, j) = if in_order { (i, j) } else { (j, i) };
         let (a, b) = (&self.bodies[i], &self.bodies[j]);
         let ages = [time - self.since[i], time - self.since[j]];
-        let mut left = stretch.length - time;
-        if B::BENDS {
-            left = left
-                .min(a.left() - ages[0])
-                .min(b.left() - ages[1])
-                .max(0.0);
-        }
-        // Most pairs pass each other: that is told without a division and without a root.
-        let reach = 2.0 * stretch.ball.radius;
+        let left = stretch.length - time;
         let offset = b.position(ages[1]) - a.position(ages[0]);
         let velocity = b.velocity(ages[1]) - a.velocity(ages[0]);
         // Two balls that both bend stay this close to straight lines.
@@ -194,7 +185,7 @@ impl<B: Body> Patch<B> {
         } else {
             0.0
         };
-        let wide = reach + margin;
+        let wide = (2.0 * stretch.ball.radius + margin) * (1.0 + MARGIN);
         let gap = offset.length_squared() - wide * wide;
         if gap > 0.0 {
             let slope = offset.dot(velocity);
@@ -202,27 +193,43 @@ impl<B: Body> Patch<B> {
                 return;
             }
             let square = velocity.length_squared();
-            if -slope >= square * left {
-                if gap + left * (2.0 * slope + square * left) > 1e-12 * reach * reach {
-                    return;
-                }
-            } else if gap * square > slope * slope * (1.0 + 1e-12) {
+            let end = gap + left * (2.0 * slope + square * left);
+            let passes = gap * square > slope * slope;
+            if end > 0.0 && (passes || -slope >= square * left) {
                 return;
             }
-        } else if time == 0.0 {
-            let overlap = reach - offset.length();
+        }
+        self.meet(stretch, i, j, time);
+    }
+
+    /// Finds when two balls meet that are likely to.
+    #[inline(never)]
+    fn meet(&mut self, stretch: &Stretch, one: usize, other: usize, time: f64) {
+        let in_order = self.origins[one].number < self.origins[other].number;
+        let (i, j) = if in_order { (one, other) } else { (other, one) };
+        let (a, b) = (&self.bodies[i], &self.bodies[j]);
+        let ages = [time - self.since[i], time - self.since[j]];
+        let (one, two) = (track(a, ages[0]), track(b, ages[1]));
+        let mut left = stretch.length - time;
+        if B::BENDS {
+            left = left
+                .min(a.left() - ages[0])
+                .min(b.left() - ages[1])
+                .max(0.0);
+        }
+        let reach = 2.0 * stretch.ball.radius;
+        if time == 0.0 {
+            let overlap = reach - (two.position - one.position).length();
             self.tally.overlap = self.tally.overlap.max(overlap);
         }
-        if B::BENDS && !(a.translates() || b.translates()) {
+        let met = self.impacts[i].max(self.impacts[j]);
+        if met > IMPACTS || B::BENDS && !(a.translates() || b.translates()) {
             return;
         }
-        if self.impacts[i].max(self.impacts[j]) > IMPACTS {
-            return;
-        }
-        let met = contact::pair(&track(a, ages[0]), &track(b, ages[1]), reach, left);
-        let met = found(&mut self.failure, &self.origins[i], met);
-        if let Some(mut met) = met {
-            if self.impacts[i].max(self.impacts[j]) >= BOUNCES {
+        let rattles = met >= BOUNCES;
+        let met = contact::pair(&one, &two, reach, left);
+        if let Some(mut met) = found(&mut self.failure, &self.origins[i], met) {
+            if rattles {
                 // A ball that rattles between others meets them at most so often.
                 met = met.max(stretch.length / RATTLES);
                 if time + met > stretch.length {

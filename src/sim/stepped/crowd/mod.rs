@@ -249,6 +249,7 @@ fn crowd(playfield: &Playfield) -> Option<&Stepped> {
 }
 
 /// Whether the scene on the table is a crowd.
+#[must_use]
 pub fn is_crowd(playfield: Res<Playfield>) -> bool {
     playfield.solver.is_crowd()
 }

@@ -1,5 +1,7 @@
 //! A tile and what surrounds it, copied together and sorted by cell: small enough for the cache of one core.
 
+use std::time::Instant;
+
 use glam::DVec2;
 
 use crate::physics::ball::Ball;
@@ -149,7 +151,7 @@ impl<B: Body> Patch<B> {
 
     /// Follows all balls through the stretch.
     pub fn solve(&mut self, stretch: &Stretch) {
-        let mut lap = self.tally.lap();
+        let mut lap = Instant::now();
         self.sort(stretch);
         self.tally.time(Pass::Grid, &mut lap);
         self.collide_balls(stretch);
