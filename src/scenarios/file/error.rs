@@ -185,6 +185,24 @@ pub enum FieldError {
         /// Greatest value measured.
         most: f64,
     },
+    /// More balls than the table has room for, however they lie.
+    #[error("fill.count: {count} balls cannot lie on the table, it must be at most {most}")]
+    Crowded {
+        /// Balls asked for.
+        count: u32,
+        /// Balls that would cover the table.
+        most: u32,
+    },
+    /// More balls than there is memory for.
+    #[error("fill.count: {count} balls need up to {need} bytes of memory, {available} are free")]
+    NoMemory {
+        /// Balls asked for.
+        count: u32,
+        /// Bytes needed.
+        need: u64,
+        /// Bytes free.
+        available: u64,
+    },
     /// There is not enough room for a fill.
     #[error("fill.count: {count} balls do not fit on the table, {placed} do")]
     NoRoom {

@@ -10,6 +10,7 @@ use serde::{Deserialize, Serialize};
 use crate::physics::ball::{Ball, State};
 use crate::physics::scene::{Scene, SceneBall, within};
 use crate::scenarios::file::error::{FieldError, LayoutError};
+use crate::scenarios::file::memory;
 
 /// So many balls at random places where they overlap nothing. The same seed gives the same balls on every platform.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -50,6 +51,8 @@ impl Fill {
     /// Adds the balls, named by the free numbers from 1 on.
     pub(super) fn place(&self, scene: &mut Scene, default: Ball) -> Result<(), LayoutError> {
         self.check(default)?;
+        self.check_room(scene, default)?;
+        self.check_memory(memory::available())?;
         let mut rng = ChaCha8Rng::seed_from_u64(self.seed);
         let largest = self.radii.map_or(default.radius, |(_, most)| most);
         let largest = scene
@@ -93,8 +96,42 @@ impl Fill {
         Ok(())
     }
 
+    /// Refuses what cannot lie on the table in any order, before anything is allocated for it.
+    fn check_room(&self, scene: &Scene, default: Ball) -> Result<(), LayoutError> {
+        let radius = self.radii.map_or(default.radius, |(least, _)| least);
+        let covered = f64::from(self.count) * std::f64::consts::PI * radius * radius;
+        let room = scene.table.length * scene.table.width;
+        if covered > room {
+            let count = self.count;
+            let most = room / (std::f64::consts::PI * radius * radius);
+            return Err(FieldError::Crowded {
+                count,
+                most: most as u32,
+            }
+            .into());
+        }
+        Ok(())
+    }
+
+    /// Refuses more balls than there is memory for, where the system tells how much there is.
+    fn check_memory(&self, available: Option<u64>) -> Result<(), LayoutError> {
+        let need = u64::from(self.count) * memory::BALL;
+        match available {
+            Some(available) if need > available => {
+                let count = self.count;
+                Err(FieldError::NoMemory {
+                    count,
+                    need,
+                    available,
+                }
+                .into())
+            }
+            _ => Ok(()),
+        }
+    }
+
     fn check(&self, default: Ball) -> Result<(), LayoutError> {
-        within("fill.count", f64::from(self.count), 0.0, 1e6)?;
+        within("fill.count", f64::from(self.count), 0.0, 1e8)?;
         within("fill.speed", self.speed, 0.0, 1e3)?;
         within("fill.spin", self.spin, 0.0, 1e5)?;
         within("fill.gap", self.gap, 0.0, 1.0)?;
@@ -201,5 +238,31 @@ impl Room {
                     let distance = (DVec2::new(position.x, position.z) - point).length();
                     distance >= other.ball.radius + radius + gap
                 })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn more_balls_than_memory_are_refused_with_numbers() {
+        let fill = Fill {
+            count: 5_000_000,
+            seed: 1,
+            speed: 0.0,
+            spin: 0.0,
+            gap: 1e-6,
+            masses: None,
+            radii: None,
+        };
+        assert!(fill.check_memory(None).is_ok());
+        assert!(fill.check_memory(Some(1 << 40)).is_ok());
+        let Err(LayoutError::Field(refusal)) = fill.check_memory(Some(1 << 30)) else {
+            panic!("10 GB do not fit into 1");
+        };
+        let text = refusal.to_string();
+        assert!(text.contains("fill.count: 5000000"), "{text}");
+        assert!(memory::available().is_none_or(|bytes| bytes > 1 << 20));
     }
 }

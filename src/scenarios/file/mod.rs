@@ -30,6 +30,7 @@ pub(in crate::scenarios) mod balls;
 mod error;
 mod fill;
 mod layout;
+mod memory;
 mod shot;
 pub(in crate::scenarios) mod surroundings;
 #[cfg(test)]

@@ -7,7 +7,9 @@
 //! located inside the tick and resolved from the positions at that time. The coursework's way (`locate: false`) resolves
 //! balls where the tick has left them, overlapped.
 //!
-//! Not done here: thousands of balls at speed (nothing is packed for the cache yet), flight.
+//! Which scenes go where: with [`crate::physics::scene::Stepped::crowd`] equal balls on the slate of a table without
+//! pockets, thousands to a million, are worked on by [`crowd`], counted and not recorded. Everything else, with balls of
+//! any size, pockets, messages and records, is worked on here.
 
 mod bodies;
 mod collide_balls;

@@ -17,8 +17,6 @@ mod mirror;
 mod patch;
 mod queue;
 mod settle;
-#[cfg(test)]
-mod tests;
 mod tiles;
 mod walls;
 
