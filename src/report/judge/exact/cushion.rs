@@ -71,7 +71,6 @@ fn han_2005() -> Vec<Row> {
         CushionLaw::Han2005(Han2005 {
             restitution: e.into(),
             friction: friction.into(),
-            ..Han2005::default()
         })
     };
     let stand = Stand::POOL;
