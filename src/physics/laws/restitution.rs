@@ -20,7 +20,7 @@ use crate::physics::laws::Parameter;
 pub enum Restitution {
     /// The same at every speed.
     Constant(f64),
-    /// at_rest − fall · v, between `floor` and 1.
+    /// `at_rest` − fall · v, between `floor` and 1.
     Linear {
         /// Value at zero speed; above 1 it counts as 1.
         at_rest: f64,
@@ -29,7 +29,7 @@ pub enum Restitution {
         /// The least it falls to.
         floor: f64,
     },
-    /// at_rest + slope · v + bend · v² for v between `slowest` and `fastest`, and the value at the nearer end outside.
+    /// `at_rest` + slope · v + bend · v² for v between `slowest` and `fastest`, and the value at the nearer end outside.
     Quadratic {
         /// Value at zero speed.
         at_rest: f64,
@@ -129,7 +129,7 @@ impl From<f64> for Restitution {
 pub enum NoseFriction {
     /// The same at every angle.
     Constant(f64),
-    /// head_on − fall · angle, at least 0, with the angle in rad between path and normal, in plan.
+    /// `head_on` − fall · angle, at least 0, with the angle in rad between path and normal, in plan.
     ByAngle {
         /// Coefficient square into the cushion.
         head_on: f64,

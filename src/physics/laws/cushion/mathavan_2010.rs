@@ -6,7 +6,7 @@
 //! back e² of the work put in.
 //!
 //! Source: Mathavan, Jackson & Parkin, "A theoretical analysis of billiard ball dynamics under cushion impacts", Proc.
-//! IMechE C 224 (2010) 1863; good below 2.5 m/s along the normal, they say. Homogeneous in speed. Followed to 1e-6 of the
+//! `IMechE` C 224 (2010) 1863; good below 2.5 m/s along the normal, they say. Homogeneous in speed. Followed to 1e-6 of the
 //! speed (see `rub`), where the paper steps by hand. Where friction at the nose would lift the ball its weight
 //! on the cloth is taken as zero.
 
