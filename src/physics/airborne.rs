@@ -67,10 +67,9 @@ pub fn ground(
         Ground::Hole(pocket) if laws.pocket == PocketLaw::Capture => {
             Ok(Some((time, Landing::Bottom(pocket))))
         }
-        // The pocket comes first; the floor bounds the search for it.
-        Ground::Hole(_) => floor(),
         Ground::Off if is_over_rail(time) => Ok(Some((time, Landing::Off))),
-        Ground::Off => floor(),
+        // Over a hole the pocket comes first; the floor bounds the search for it.
+        Ground::Hole(_) | Ground::Off => floor(),
     }
 }
 

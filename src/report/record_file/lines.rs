@@ -68,9 +68,10 @@ impl<'a> EventLine<'a> {
         match event.kind {
             EventKind::Strike { miscue } => line.miscue = Some(miscue),
             EventKind::BallBall | EventKind::Slate | EventKind::OffTable => {}
-            EventKind::Rim { pocket } => line.pocket = Some(pocket_name(scene, pocket)),
             EventKind::Cushion { cushion } => line.cushion = Some(cushion),
-            EventKind::Pocketed { pocket } => line.pocket = Some(pocket_name(scene, pocket)),
+            EventKind::Rim { pocket } | EventKind::Pocketed { pocket } => {
+                line.pocket = Some(pocket_name(scene, pocket));
+            }
             EventKind::Motion { from, to } => (line.from, line.to) = (Some(from), Some(to)),
         }
         line

@@ -125,6 +125,10 @@ impl TableEntry {
 /// Laws by the name of a set, or one by one.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, rename = "Laws")]
+#[expect(
+    clippy::large_enum_variant,
+    reason = "there is one of them for each file"
+)]
 pub(in crate::scenarios) enum LawsEntry {
     Pool,
     Ideal,

@@ -156,9 +156,10 @@ fn hit(event: &Event) -> Option<Hit> {
     let (sound, impulse) = match event.kind {
         EventKind::Strike { .. } => (Sound::Tip, event.impulse),
         EventKind::BallBall => (Sound::Balls, event.impulse),
-        EventKind::Cushion { .. } => (Sound::Cushion, event.impulse),
+        EventKind::Cushion { .. } | EventKind::Slate | EventKind::OffTable => {
+            (Sound::Cushion, event.impulse)
+        }
         EventKind::Pocketed { .. } => (Sound::Pocket, DROPPED * (0.3 + before.velocity.length())),
-        EventKind::Slate | EventKind::OffTable => (Sound::Cushion, event.impulse),
         EventKind::Rim { .. } => (Sound::Pocket, event.impulse),
         EventKind::Motion { .. } => return None,
     };

@@ -107,7 +107,8 @@ fn j16_a_dropped_ball_bounces_for_the_time_and_way_of_the_series() {
     let way: f64 = record
         .events
         .iter()
-        .map(|event| event.first.after.velocity.y.powi(2) / G)
+        .map(|event| event.first.after.velocity.y)
+        .map(|up| up * up / G)
         .sum::<f64>()
         + h;
     let series = h * (1.0 + e * e) / (1.0 - e * e);
@@ -235,7 +236,8 @@ fn a_ball_in_flight_meets_the_nose_at_its_radius_in_space_or_clears_it() {
         assert_eq!(cleared, 0, "a higher ball is turned back");
         let at = first.first.before;
         let nose = scene.table.nose_height;
-        let distance = ((at.position.x - 1.27).powi(2) + (at.position.y - nose).powi(2)).sqrt();
+        let (out, up) = (at.position.x - 1.27, at.position.y - nose);
+        let distance = (out * out + up * up).sqrt();
         assert!((distance - R).abs() < 1e-11, "{distance} m");
     }
     assert!(

@@ -109,7 +109,8 @@ fn a_slow_ball_rolls_over_the_edge_as_a_pendulum_does() {
             let center = scene.table.pockets[4].center;
             let out = scene.table.pockets[4].radius
                 - center.distance(DVec2::new(state.position.x, state.position.z));
-            let distance = (out * out + (state.position.y + 0.003).powi(2)).sqrt();
+            let up = state.position.y + 0.003;
+            let distance = (out * out + up * up).sqrt();
             assert!((distance - length).abs() < 5e-5, "{distance} m");
         }
     }

@@ -95,6 +95,10 @@ impl<const N: usize> Rub<N> {
     }
 
     /// The force at the first contact when slip at the others is free, or their force known.
+    #[expect(
+        clippy::needless_range_loop,
+        reason = "one index runs through several lists"
+    )]
     fn first_force(
         &self,
         held: &[bool; N],

@@ -228,6 +228,10 @@ impl<'a, const N: usize> Walk<'a, N> {
     }
 
     /// By how much a step has to be shortened because a slip began in it; 1 or more if it has not.
+    #[expect(
+        clippy::needless_range_loop,
+        reason = "one index runs through several lists"
+    )]
     fn begun_too_far(&self, at: &Point<N>) -> f64 {
         let slips = self.rub.slips(at);
         let mut size = 0.0_f64;
@@ -266,6 +270,10 @@ impl<'a, const N: usize> Walk<'a, N> {
     }
 
     /// The least free slip at another contact, at most 1: while that one turns quickly, what friction can hold changes.
+    #[expect(
+        clippy::needless_range_loop,
+        reason = "one index runs through several lists"
+    )]
     fn least_other(&self, contact: usize, slips: &[DVec2; N]) -> f64 {
         let mut least = 1.0_f64;
         for c in 0..N {
@@ -292,6 +300,10 @@ impl<'a, const N: usize> Walk<'a, N> {
     }
 
     /// Stops a small slip that friction can hold: later impulses do not depend on when it stopped.
+    #[expect(
+        clippy::needless_range_loop,
+        reason = "one index runs through several lists"
+    )]
     fn capture(&mut self, contact: usize) -> bool {
         let mut held = self.held;
         held[contact] = true;
@@ -351,7 +363,7 @@ impl<'a, const N: usize> Walk<'a, N> {
     }
 
     /// The point at which the next stage looks.
-    #[inline(always)]
+    #[inline]
     fn stage<const S: usize>(&self, length: f64, row: usize, rates: [&Rate<N>; S]) -> Point<N> {
         let mut at = self.at;
         at.impulse += C[row] * length;
