@@ -2,6 +2,7 @@
 # Installs what Massé needs from a fresh Debian or Ubuntu; does nothing where all is there.
 #
 #   compiler      cc, pkg-config, cargo >= 1.95
+#   gamepads      the udev headers (libudev-dev)
 #   sound         the ALSA headers (libasound2-dev); the game runs without a sound device
 #   picture       a Vulkan driver (Mesa's, software where there is no GPU) and the X11 libraries a window loads
 set -eu
@@ -12,6 +13,7 @@ need() { missing="$missing $*"; }
 command -v cc >/dev/null 2>&1 || need gcc libc6-dev
 command -v pkg-config >/dev/null 2>&1 || need pkg-config
 pkg-config --exists alsa 2>/dev/null || need libasound2-dev
+pkg-config --exists libudev 2>/dev/null || need libudev-dev
 ls /usr/share/vulkan/icd.d /etc/vulkan/icd.d 2>/dev/null | grep -q json || need mesa-vulkan-drivers
 library() { PATH="$PATH:/sbin:/usr/sbin" ldconfig -p 2>/dev/null | grep -q "$1" || need "$2"; }
 library libvulkan.so.1 libvulkan1
