@@ -95,19 +95,19 @@ pub fn pocket(
     if motion == Motion::Airborne {
         let top = table.nose_height + radius;
         let sides = (rim.edge, table.outward(hole.center), top);
-        let wall = flight::wall(track, hole, sides, radius, horizon)?;
-        let edge = flight::rim(track, hole, rim.edge, radius, horizon)?;
-        for (time, landing) in [(wall, Landing::Wall(index)), (edge, Landing::Rim(index))] {
-            let sooner = first.map_or(horizon, |(sooner, _)| sooner);
-            if let Some(time) = time.filter(|time| *time < sooner) {
-                first = Some((time, landing));
-            }
-        }
+        let until = first.map_or(horizon, |(time, _)| time);
+        let wall = flight::wall(track, hole, sides, radius, until)?;
+        let until = wall.unwrap_or(until);
+        let edge = flight::rim(track, hole, rim.edge, radius, until)?;
+        first = edge
+            .map(|time| (time, Landing::Rim(index)))
+            .or(wall.map(|time| (time, Landing::Wall(index))))
+            .or(first);
     }
     Ok(first)
 }
 
-/// What a landing is called, and the ball after it.
+/// What a landing is called, the ball after it, and the impulse of the blow in N s; 0 where the fall ends.
 #[must_use]
 pub fn land(
     table: &Table,
@@ -115,29 +115,31 @@ pub fn land(
     ball: &Ball,
     state: &State,
     landing: Landing,
-) -> (EventKind, State) {
+) -> (EventKind, State, f64) {
+    let blow = |kind: EventKind, after: State| {
+        let impulse = ball.mass * (after.velocity - state.velocity).length();
+        (kind, after, impulse)
+    };
     match landing {
         Landing::Slate => {
             let mut landed = laws.slate.land(ball, state);
             landed.position.y = ball.radius;
-            (EventKind::Slate, laws.motion.classify(ball, landed))
+            blow(EventKind::Slate, laws.motion.classify(ball, landed))
         }
         Landing::Rim(pocket) | Landing::Wall(pocket) => {
             let hole = &table.pockets[pocket];
             let on_edge = matches!(landing, Landing::Rim(_));
-            (
-                EventKind::Rim { pocket },
-                laws.rattle(hole, ball, state, on_edge),
-            )
+            let after = laws.rattle(hole, ball, state, on_edge);
+            blow(EventKind::Rim { pocket }, after)
         }
         Landing::Bottom(pocket) => {
-            let hole = &table.pockets[pocket];
-            (EventKind::Pocketed { pocket }, laws.pocket.captured(hole))
+            let after = laws.pocket.captured(&table.pockets[pocket]);
+            (EventKind::Pocketed { pocket }, after, 0.0)
         }
         Landing::Off => {
             let mut gone = State::at_rest(state.position);
             gone.motion = Motion::OffTable;
-            (EventKind::OffTable, gone)
+            (EventKind::OffTable, gone, 0.0)
         }
     }
 }

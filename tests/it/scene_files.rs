@@ -2,7 +2,7 @@
 
 use masse::physics::ball::Motion;
 use masse::physics::exact::{self, Limits};
-use masse::physics::record::{EndReason, EventKind, Record};
+use masse::physics::record::{EndReason, Event, EventKind, Record};
 use masse::physics::scene::{Scene, Solver, Stepped};
 use masse::scenarios::{file, library};
 use masse::sim::stepping;
@@ -214,35 +214,30 @@ fn the_real_spin_shots_do_what_they_say() {
     );
 }
 
+fn first_hit(record: &Record) -> &Event {
+    let mut events = record.events.iter();
+    events
+        .find(|event| event.kind == EventKind::BallBall)
+        .expect("a hit")
+}
+
 #[test]
 fn the_billiards_shots_do_what_they_say() {
     let (stop, record) = played("stop-shot");
-    let hit = record
-        .events
-        .iter()
-        .find(|e| e.kind == EventKind::BallBall)
-        .expect("a hit");
+    let hit = first_hit(&record);
     let moved = (record.end[0].position - hit.first.before.position).length();
     assert!(moved < 0.005, "the cue ball of a stop shot moves {moved} m");
     assert_eq!(record.end[1].motion, Motion::Pocketed);
     assert_eq!(stop.balls[1].name, "1");
     let (_, record) = played("masse");
-    let hit = record
-        .events
-        .iter()
-        .find(|e| e.kind == EventKind::BallBall)
-        .expect("a hit");
+    let hit = first_hit(&record);
     assert_eq!(
         (hit.first.ball, hit.second.map(|second| second.ball)),
         (0, Some(2)),
         "it goes round the 8"
     );
     let (_, record) = played("jump-shot");
-    let hit = record
-        .events
-        .iter()
-        .find(|e| e.kind == EventKind::BallBall)
-        .expect("a hit");
+    let hit = first_hit(&record);
     assert_eq!(
         (hit.first.ball, hit.second.map(|second| second.ball)),
         (0, Some(2)),

@@ -10,13 +10,11 @@ pub use leg::{Hit, Leg};
 
 use self::leg::leg;
 
-use glam::{DVec2, DVec3};
 use thiserror::Error;
 
 use crate::physics::ball::State;
 use crate::physics::cue::Shot;
 use crate::physics::laws::ball_ball::PairContact;
-use crate::physics::laws::cushion::CushionContact;
 use crate::physics::roots::RootError;
 use crate::physics::scene::{Scene, strike_with};
 
@@ -102,15 +100,9 @@ fn after(scene: &Scene, leg: &Leg) -> (Option<State>, Option<(usize, State)>) {
             )
         }
         Hit::Cushion(index) => {
-            let position = DVec2::new(leg.end.position.x, leg.end.position.z);
-            let (_, normal) = scene.table.cushions[index].nearest(position);
-            let contact = CushionContact {
-                normal: DVec3::new(normal.x, 0.0, normal.y),
-                nose_height: scene.table.nose_height,
-                nose: scene.table.nose,
-                restitution: None,
-            };
-            let rebound = scene.laws.cushion.rebound(ball, &leg.end, &contact);
+            let (table, law) = (&scene.table, &scene.laws.cushion);
+            let cushion = &table.cushions[index];
+            let rebound = law.meet(table, cushion, (ball, &leg.end), None);
             (Some(classify(leg.ball, rebound.state)), None)
         }
     }
@@ -118,6 +110,8 @@ fn after(scene: &Scene, leg: &Leg) -> (Option<State>, Option<(usize, State)>) {
 
 #[cfg(test)]
 mod tests {
+    use glam::DVec3;
+
     use super::leg::BEND_POINTS;
     use super::*;
     use crate::physics::ball::Ball;

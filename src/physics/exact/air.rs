@@ -6,7 +6,7 @@ use crate::physics::exact::engine::Engine;
 use crate::physics::exact::predict::{Partner, Search};
 use crate::physics::exact::walls::Wall;
 use crate::physics::exact::{SolveError, Watch};
-use crate::physics::record::EventKind;
+use crate::physics::record::Event;
 use crate::physics::roots::RootError;
 
 impl Search {
@@ -81,15 +81,11 @@ impl Engine {
     ) -> Result<(), SolveError> {
         let before = self.state(ball);
         let (table, laws, body) = (&self.table, &self.laws, &self.bodies[ball]);
-        let (kind, after) = airborne::land(table, laws, body, &before, landing);
-        let mass = body.mass;
+        let (kind, after, impulse) = airborne::land(table, laws, body, &before, landing);
         self.set(ball, after, watch)?;
         self.leave(ball);
-        let mut event = self.lone(ball, kind, before, after);
-        if let EventKind::Slate | EventKind::Rim { .. } = kind {
-            event.impulse = mass * (after.velocity - before.velocity).length();
-        }
-        watch.event(&event);
+        let event = self.lone(ball, kind, before, after);
+        watch.event(&Event { impulse, ..event });
         self.predict(ball)
     }
 

@@ -5,7 +5,6 @@ use bevy::prelude::*;
 use crate::physics::airborne;
 use crate::physics::ball::State;
 use crate::physics::laws::ball_ball::PairContact;
-use crate::physics::laws::cushion::CushionContact;
 use crate::physics::record::{Event, EventKind, Participant, PathPiece};
 use crate::sim::messages::{Failed, MotionChanged, PathTurned, Pocketed, Touched};
 use crate::sim::playfield::Playfield;
@@ -145,34 +144,15 @@ fn happen(bodies: &mut Bodies, playfield: &Playfield, contact: &Contact) -> Even
                 airborne::pass_edge(table, laws, &body, &before, pocket);
         }
         Kind::Landing(landing) => {
-            let (kind, after) = airborne::land(table, laws, &body, &before, landing);
-            event.kind = kind;
-            event.first.after = after;
-            if let EventKind::Slate | EventKind::Rim { .. } = kind {
-                event.impulse = body.mass * (after.velocity - before.velocity).length();
-            }
+            (event.kind, event.first.after, event.impulse) =
+                airborne::land(table, laws, &body, &before, landing);
         }
         Kind::Cushion(cushion) => {
-            let plan = glam::DVec2::new(before.position.x, before.position.z);
-            let (_, mut away) = table.cushions[cushion].nearest(plan);
-            // A ball found beyond the nose is pushed back towards the table.
-            if away.dot(glam::DVec2::new(before.velocity.x, before.velocity.z)) > 0.0 {
-                away = -away;
-            }
-            let rebound = laws.cushion.rebound(
-                &body,
-                &before,
-                &CushionContact {
-                    normal: glam::DVec3::new(away.x, 0.0, away.y),
-                    nose_height: laws.cushion.nose_height(
-                        table.nose_height,
-                        &body,
-                        &table.cushions[cushion],
-                    ),
-                    nose: table.nose,
-                    restitution: settled(bodies.all[ball].impacts),
-                },
-            );
+            let nose = &table.cushions[cushion];
+            let restitution = settled(bodies.all[ball].impacts);
+            let rebound = laws
+                .cushion
+                .meet(table, nose, (&body, &before), restitution);
             event.kind = EventKind::Cushion { cushion };
             event.impulse = rebound.impulse;
             event.first.after = laws.settled(table, &body, &rebound.state);

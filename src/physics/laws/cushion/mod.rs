@@ -12,13 +12,13 @@ pub use mathavan_2010::Mathavan2010;
 pub use mirror::Mirror;
 pub use stronge_2018::{Inclination, Stronge2018};
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use serde::{Deserialize, Serialize};
 
 use crate::physics::ball::{Ball, Motion, State};
 use crate::physics::laws::restitution::Restitution;
 use crate::physics::laws::{Check, Parameter};
-use crate::physics::table::{Cushion, Nose};
+use crate::physics::table::{Cushion, Nose, Table};
 
 /// What is known of the restitution of a cushion.
 const RESTITUTION: &str = "above 1 a rebound would make energy; 0.6 to 0.9 measured, Alciatore, physical properties, and \
@@ -91,6 +91,30 @@ impl CushionLaw {
             Self::Mathavan2010(Mathavan2010::default()),
             Self::Stronge2018(Stronge2018::default()),
         ]
+    }
+
+    /// The rebound of a ball from a cushion that it touches where it is. One on the slate that has gone beyond the nose, as a
+    /// tick without contact times leaves it, is pushed back to where it came from.
+    #[must_use]
+    pub fn meet(
+        &self,
+        table: &Table,
+        cushion: &Cushion,
+        (ball, state): (&Ball, &State),
+        restitution: Option<f64>,
+    ) -> Rebound {
+        let plan = |v: DVec3| DVec2::new(v.x, v.z);
+        let (_, mut away) = cushion.nearest(plan(state.position));
+        if !state.motion.flies() && away.dot(plan(state.velocity)) > 0.0 {
+            away = -away;
+        }
+        let contact = CushionContact {
+            normal: DVec3::new(away.x, 0.0, away.y),
+            nose_height: self.nose_height(table.nose_height, ball, cushion),
+            nose: table.nose,
+            restitution,
+        };
+        self.rebound(ball, state, &contact)
     }
 
     /// Velocities after the rebound; position and motion label are left as they are. A ball that leaves the cushion

@@ -1,9 +1,6 @@
 //! Contacts in order of time, and those that follow from them.
 
-use glam::{DVec2, DVec3};
-
 use crate::physics::laws::ball_ball::PairContact;
-use crate::physics::laws::cushion::CushionContact;
 use crate::sim::stepped::crowd::body::Body;
 use crate::sim::stepped::crowd::patch::{END, FAST, Patch, Role, STATIC, Stretch};
 use crate::sim::stepped::crowd::queue::{Contact, Kind};
@@ -59,26 +56,9 @@ impl<B: Body> Patch<B> {
             Kind::Change => self.bodies[i].end(ball),
             Kind::Cushion(index) => {
                 let cushion = &stretch.table.cushions[index as usize];
-                let plan = |v: DVec3| DVec2::new(v.x, v.z);
-                let (_, mut away) = cushion.nearest(plan(before.position));
-                // A ball found beyond the nose is pushed back towards the table.
-                if away.dot(plan(before.velocity)) > 0.0 {
-                    away = -away;
-                }
-                let rebound = laws.cushion.rebound(
-                    ball,
-                    &before,
-                    &CushionContact {
-                        normal: DVec3::new(away.x, 0.0, away.y),
-                        nose_height: laws.cushion.nose_height(
-                            stretch.table.nose_height,
-                            ball,
-                            cushion,
-                        ),
-                        nose: stretch.table.nose,
-                        restitution: settled(self.impacts[i]),
-                    },
-                );
+                let restitution = settled(self.impacts[i]);
+                let met = (ball, &before);
+                let rebound = laws.cushion.meet(stretch.table, cushion, met, restitution);
                 self.impacts[i] += 1;
                 self.tally.cushions += owns(self.origins[i].role);
                 laws.motion.classify(ball, rebound.state)
