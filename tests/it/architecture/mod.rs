@@ -3,6 +3,7 @@
 
 mod habits;
 mod imports;
+mod reach;
 mod tokens;
 
 use std::fmt;

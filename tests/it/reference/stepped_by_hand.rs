@@ -29,7 +29,7 @@ fn stepped(law: &Mathavan2014, ball: &Ball, states: [State; 2], sign: f64) -> [S
     let (mut work, mut goal) = (0.0, f64::INFINITY);
     while speed < 0.0 || work < goal {
         let rub = -mu * step * slip(&a, &b).normalize_or_zero();
-        let mut push = |state: &mut State, side: f64, rub: DVec3| {
+        let push = |state: &mut State, side: f64, rub: DVec3| {
             let pressed = (-side * rub.y).max(0.0) * side.abs();
             let under = state.velocity - sign * r * state.angular_velocity.cross(up);
             let cloth = -law.sliding * pressed * under.normalize_or_zero();
@@ -53,10 +53,18 @@ fn stepped(law: &Mathavan2014, ball: &Ball, states: [State; 2], sign: f64) -> [S
 #[test]
 fn reference_mathavan_2014_with_their_sign_and_with_the_right_one() {
     let tables = Tables::load();
-    let (p, mu, ball) = (&tables.ball_params, &tables.friction_alciatore, tables.ball());
+    let (p, mu, ball) = (
+        &tables.ball_params,
+        &tables.friction_alciatore,
+        tables.ball(),
+    );
     let law = Mathavan2014 {
         restitution: p.e_b,
-        friction: Friction::Marlow { a: mu.a, b: mu.b, c: mu.c },
+        friction: Friction::Marlow {
+            a: mu.a,
+            b: mu.b,
+            c: mu.c,
+        },
         sliding: p.u_s,
     };
     assert_eq!(tables.ball_ball.len(), 40);
@@ -77,9 +85,18 @@ fn reference_mathavan_2014_with_their_sign_and_with_the_right_one() {
         };
         // The stepping itself is out by the order of a step.
         let same = apart(stepped(&law, &ball, before, -1.0), theirs);
-        assert!(same < 1e-3, "ball_ball[{i}]: {same:e} from theirs with their sign");
-        let ours = apart(stepped(&law, &ball, before, 1.0), [after.first, after.second]);
-        assert!(ours < 1e-3, "ball_ball[{i}]: {ours:e} from ours with the right sign");
+        assert!(
+            same < 1e-3,
+            "ball_ball[{i}]: {same:e} from theirs with their sign"
+        );
+        let ours = apart(
+            stepped(&law, &ball, before, 1.0),
+            [after.first, after.second],
+        );
+        assert!(
+            ours < 1e-3,
+            "ball_ball[{i}]: {ours:e} from ours with the right sign"
+        );
         println!("{same:e} {ours:e}");
     }
 }
