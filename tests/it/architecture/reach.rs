@@ -28,7 +28,7 @@ fn unreached(sources: &[Source]) -> Vec<Finding> {
     for source in sources {
         for three in tokens(&source.text).windows(3) {
             if three[0].text == "mod" && three[2].text == ";" {
-                declared.insert((source.path.clone(), three[1].text.to_owned()));
+                declared.insert((source.path.clone(), three[1].text.clone()));
             }
         }
     }
