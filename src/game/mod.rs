@@ -9,6 +9,7 @@ pub mod placing;
 pub mod practice;
 pub mod preview;
 pub mod replay;
+pub mod rules;
 pub mod target;
 pub mod view;
 pub mod volume;

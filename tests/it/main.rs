@@ -20,6 +20,7 @@ mod presets;
 mod properties;
 mod record_files;
 mod reference;
+mod rules;
 mod saved_tables;
 mod scene_files;
 mod schedules;
