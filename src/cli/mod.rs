@@ -55,7 +55,7 @@ use run::RunOptions;
         digits; the same scene gives the same text.\n\n\
         EXIT CODES\n  \
         0  done\n  \
-        1  `masse judge`: an exact judge misses\n  \
+        1  `masse judge`: an exact judge misses; `masse run`: an expectation of the scene is missed\n  \
         2  bad input: the message names the file, the place in it and the value; nothing is written\n  \
         3  a file cannot be written\n  \
         4  the solver could not finish the scene"
@@ -155,7 +155,7 @@ pub fn main() -> ExitCode {
     let outcome = match cli.command {
         None => play::play(None, None),
         Some(Command::Play { scene, preset }) => play::play(scene.as_deref(), preset.as_deref()),
-        Some(Command::Run(options)) => run::run(&options).map(|()| ExitCode::SUCCESS),
+        Some(Command::Run(options)) => run::run(&options),
         Some(Command::Picture { record, file }) => {
             picture::draw(&record, &file).map(|()| ExitCode::SUCCESS)
         }

@@ -45,12 +45,11 @@ fn equipped(scenario: Option<Scenario>, name: &str) -> Result<Scenario, CommandE
     let preset = preset::open(name)?;
     let mut scenario = match scenario {
         Some(scenario) => scenario,
-        None => Scenario {
-            title: preset.title.clone(),
-            description: preset.description.clone(),
-            preset: None,
-            scene: practice::set_up(&preset.equipment, Solver::Exact, Rack::EightBall, 1),
-        },
+        None => Scenario::plain(
+            &preset.title,
+            &preset.description,
+            practice::set_up(&preset.equipment, Solver::Exact, Rack::EightBall, 1),
+        ),
     };
     let shot = scenario.scene.shot;
     if !preset.equipment.take_over(&mut scenario.scene) {

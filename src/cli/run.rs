@@ -1,6 +1,7 @@
 //! `masse run`.
 
 use std::path::PathBuf;
+use std::process::ExitCode;
 
 use clap::{Args, ValueEnum};
 
@@ -8,7 +9,9 @@ use crate::cli::simulate::simulate;
 use crate::cli::{CommandError, say, to_file, to_stdout};
 use crate::physics::cue_path::{self, Obstacle};
 use crate::physics::scene::{Scene, Solver, Stepped};
+use crate::report::record_file::Expected;
 use crate::report::{picture, record_file};
+use crate::scenarios::expect::Outcome;
 use crate::scenarios::{library, preset};
 
 /// What to run, and how.
@@ -63,8 +66,8 @@ fn grid(text: &str) -> Result<GridOption, String> {
         .ok_or_else(|| "two numbers such as 20x20, or `none`".to_owned())
 }
 
-/// Runs a scene and writes its record and, if asked for, its picture.
-pub(super) fn run(options: &RunOptions) -> Result<(), CommandError> {
+/// Runs a scene and writes its record and, if asked for, its picture. Exit code 1 if an expectation is missed.
+pub(super) fn run(options: &RunOptions) -> Result<ExitCode, CommandError> {
     let mut scenario = library::open(&options.scene)?;
     options.change(&mut scenario.scene)?;
     let (scene, title) = (&scenario.scene, &scenario.title);
@@ -74,8 +77,10 @@ pub(super) fn run(options: &RunOptions) -> Result<(), CommandError> {
         say(&note);
     }
     let record = simulate(scene)?;
+    let outcomes = scenario.judge(&record);
+    let expected: Vec<Expected> = outcomes.iter().map(told).collect();
     let written = |out: &mut dyn std::io::Write| {
-        record_file::write(out, &options.scene, title, scene, &record)
+        record_file::write_judged(out, &options.scene, title, scene, &record, &expected)
     };
     if let Some(path) = &options.out {
         let mut lines = Vec::new();
@@ -93,8 +98,32 @@ pub(super) fn run(options: &RunOptions) -> Result<(), CommandError> {
     if !options.quiet {
         let summary = record_file::Summary::of(&options.scene, title, scene, &record);
         say(&summary.text());
+        for outcome in &outcomes {
+            say(&format!("  {}", outcome.sentence()));
+        }
     }
-    Ok(())
+    let missed = outcomes.iter().filter(|outcome| !outcome.met).count();
+    if missed == 0 {
+        return Ok(ExitCode::SUCCESS);
+    }
+    if !options.quiet {
+        let count = outcomes.len();
+        say(&format!(
+            "masse: {missed} of {count} expectations are missed"
+        ));
+    }
+    Ok(ExitCode::from(1))
+}
+
+/// An outcome as a record tells it.
+fn told(outcome: &Outcome) -> Expected {
+    Expected {
+        expected: outcome.wanted.clone(),
+        met: outcome.met,
+        found: outcome.found,
+        unit: outcome.unit.to_owned(),
+        seen: outcome.seen.clone(),
+    }
 }
 
 /// A line about a cue that would pass through something: the stroke is played all the same, as pure physics.

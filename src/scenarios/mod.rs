@@ -1,5 +1,7 @@
 //! What can be played: scene files, the library of scenes that is built in, and presets of equipment.
 
+pub mod camera;
+pub mod expect;
 pub mod file;
 pub mod library;
 pub mod preset;

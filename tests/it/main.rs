@@ -22,6 +22,7 @@ mod record_files;
 mod reference;
 mod rules;
 mod saved_tables;
+mod scenarios;
 mod scene_files;
 mod schedules;
 #[cfg(feature = "window")]

@@ -10,7 +10,7 @@ use crate::physics::record::{Event, EventKind, Participant, PathPiece, Record};
 use crate::physics::scene::{Scene, SceneBall};
 use crate::report::record_file::fields::{Field, Problem, difference};
 use crate::report::record_file::lines::{EventLine, Header, Last, PathLine};
-use crate::report::record_file::{Recorded, Summary, paths};
+use crate::report::record_file::{Expected, Recorded, Summary, paths};
 
 /// Seconds by which a line may be earlier than the one before it: the rounding of a tick.
 const ROUNDING: f64 = 1e-9;
@@ -46,6 +46,7 @@ pub(super) fn header(value: &Value) -> Result<Recorded, Problem> {
         title,
         scene,
         record: Record::default(),
+        expected: Vec::new(),
     };
     let again = Header::of(&recorded.name, &recorded.title, &recorded.scene);
     difference(value, &written(&again)?)?;
@@ -70,6 +71,8 @@ pub(super) struct Body<'s> {
     pockets: HashMap<&'s str, usize>,
     events: Vec<Event>,
     told: HashMap<usize, Vec<PathPiece>>,
+    /// What became of the expectations, as far as read.
+    pub(super) expected: Vec<Expected>,
 }
 
 impl<'s> Body<'s> {
@@ -90,6 +93,7 @@ impl<'s> Body<'s> {
             pockets: pockets.enumerate().map(index).collect(),
             events: Vec::new(),
             told: HashMap::new(),
+            expected: Vec::new(),
         }
     }
 
@@ -102,8 +106,12 @@ impl<'s> Body<'s> {
             self.event(value)?;
         } else if value.get("path").is_some() {
             self.path(value)?;
+        } else if value.get("expected").is_some() {
+            let one: Expected = Field::line(value).read()?;
+            difference(value, &written(&one)?)?;
+            self.expected.push(one);
         } else {
-            let what = "the line has neither this field nor `path` nor `summary`";
+            let what = "the line has neither this field nor `path`, `expected` or `summary`";
             return Err(Problem::new("kind", what));
         }
         Ok(None)

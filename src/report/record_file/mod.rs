@@ -5,6 +5,7 @@
 //! | first | `format`, `version`, the name and the title of the scene, and the scene as it was |
 //! | one for each event | time in s, kind, who, impulse in N s, the states of these balls before and after |
 //! | one for each path | only where the events do not tell it: its ball and the states with which its pieces begin |
+//! | one for each expectation | only if the scene has any: whether it was met, the value found, in words |
 //! | last | the summary: why and when the run ended, counts, what fell, where every ball ended; how many paths have lines |
 //!
 //! A path follows from the first state of its ball and the states after its events, through the motion law of the scene.
@@ -24,6 +25,8 @@ pub use reading::{parse, read};
 pub use summary::Summary;
 
 use std::io::{self, Write};
+
+use serde::{Deserialize, Serialize};
 
 use crate::physics::record::Record;
 use crate::physics::scene::Scene;
@@ -45,6 +48,24 @@ pub struct Recorded {
     pub scene: Scene,
     /// What happened.
     pub record: Record,
+    /// What became of its expectations.
+    pub expected: Vec<Expected>,
+}
+
+/// What became of an expectation, as a line tells it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Expected {
+    /// What was expected, in words.
+    pub expected: String,
+    /// Whether it was met.
+    pub met: bool,
+    /// The value found, if there is one.
+    pub found: Option<f64>,
+    /// Its unit.
+    pub unit: String,
+    /// What happened, in words.
+    pub seen: String,
 }
 
 /// Writes a run of a scene.
@@ -57,6 +78,21 @@ pub fn write(
     title: &str,
     scene: &Scene,
     record: &Record,
+) -> io::Result<()> {
+    write_judged(out, name, title, scene, record, &[])
+}
+
+/// Writes a run of a scene, and what became of its expectations.
+///
+/// # Errors
+/// As [`write()`].
+pub fn write_judged(
+    out: &mut dyn Write,
+    name: &str,
+    title: &str,
+    scene: &Scene,
+    record: &Record,
+    expected: &[Expected],
 ) -> io::Result<()> {
     let other = |what: &str| io::Error::new(io::ErrorKind::InvalidInput, what.to_owned());
     if !lines::belongs(scene, record) {
@@ -76,6 +112,9 @@ pub fn write(
             line(out, &lines::PathLine::of(scene, ball, path))?;
             lines_of_paths += 1;
         }
+    }
+    for one in expected {
+        line(out, one)?;
     }
     line(
         out,

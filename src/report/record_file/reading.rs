@@ -80,10 +80,12 @@ pub fn parse(text: &str, file: &str) -> Result<Recorded, RecordFileError> {
         record = body.line(&json(text, line, file)?).map_err(in_line(line))?;
         last = line;
     }
+    let expected = std::mem::take(&mut body.expected);
     recorded.record = record.ok_or_else(|| RecordFileError::CutOff {
         file: file.to_owned(),
         line: last,
     })?;
+    recorded.expected = expected;
     Ok(recorded)
 }
 

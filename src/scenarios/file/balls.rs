@@ -132,7 +132,7 @@ fn motion_of(laws: &Laws, ball: &Ball, mut state: State) -> Motion {
 
 /// The point at these diamonds, as players count them: across from 0 to 4, along from 0 at the foot rail to 8 at the
 /// head rail, seen by somebody who stands at the foot and looks towards the head with 0 across at his left.
-fn from_diamonds(table: &Table, diamonds: DVec2) -> DVec2 {
+pub(in crate::scenarios) fn from_diamonds(table: &Table, diamonds: DVec2) -> DVec2 {
     DVec2::new(
         table.length * (0.5 - diamonds.y / 8.0),
         table.width * (0.5 - diamonds.x / 4.0),

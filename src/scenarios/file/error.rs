@@ -132,6 +132,16 @@ pub enum FieldError {
         /// The names that could be used.
         known: String,
     },
+    /// An expectation that can never be tested, or a camera that can see nothing.
+    #[error("{field}: {value}: {problem}")]
+    Untestable {
+        /// The field.
+        field: String,
+        /// The value found.
+        value: String,
+        /// What is wrong with it.
+        problem: String,
+    },
     /// A ball aims at itself, or at a ball in the same place.
     #[error("shot.aim_at: `{name}` gives no direction")]
     NoDirection {

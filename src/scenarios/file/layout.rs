@@ -6,6 +6,8 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 
 use crate::physics::scene::{Scene, Solver};
+use crate::scenarios::camera::Camera;
+use crate::scenarios::expect::Expectation;
 use crate::scenarios::file::Scenario;
 use crate::scenarios::file::balls::{BallConstants, BallEntry, RackEntry};
 use crate::scenarios::file::error::{FieldError, LayoutError};
@@ -27,6 +29,14 @@ pub(super) struct SceneFile {
     /// What to look at.
     #[serde(default)]
     pub(super) description: String,
+    /// What to watch for.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub(super) look_for: String,
+    /// What must happen.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub(super) expect: Vec<Expectation>,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub(super) cameras: Vec<Camera>,
     /// Name or file of a preset, see [`crate::scenarios::preset`].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     preset: Option<String>,
@@ -82,6 +92,9 @@ impl SceneFile {
             version: Self::version(),
             title: scenario.title.clone(),
             description: scenario.description.clone(),
+            look_for: scenario.look_for.clone(),
+            expect: scenario.expect.clone(),
+            cameras: scenario.cameras.clone(),
             preset: None,
             table: Some(TableEntry::of(&scene.table)),
             cloth: None,

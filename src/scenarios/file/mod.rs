@@ -17,6 +17,9 @@
 //!         (name: "1", diamonds: (2, 4)),
 //!     ],
 //!     shot: (ball: "cue", aim_at: "1", speed: 2, height: -0.3),
+//!     look_for: "the cue ball stays where it hits",
+//!     expect: [Potted(ball: "1")],           // what must happen: see `crate::scenarios::expect`
+//!     cameras: [Overhead, BehindCue],
 //! )
 //! ```
 //!
@@ -46,7 +49,10 @@ use ron::extensions::Extensions;
 use ron::ser::PrettyConfig;
 use serde::de::DeserializeOwned;
 
+use crate::physics::record::Record;
 use crate::physics::scene::Scene;
+use crate::scenarios::camera::Camera;
+use crate::scenarios::expect::{self, Expectation, Outcome};
 use crate::scenarios::preset;
 use layout::SceneFile;
 
@@ -59,8 +65,36 @@ pub struct Scenario {
     pub description: String,
     /// The preset it is played with, if it names one: a built-in name, or the path of a file.
     pub preset: Option<String>,
+    /// What to watch for while it is played; may be empty.
+    pub look_for: String,
+    /// What must happen, checked against the scene.
+    pub expect: Vec<Expectation>,
+    /// From where to see it.
+    pub cameras: Vec<Camera>,
     /// The scene, checked.
     pub scene: Scene,
+}
+
+impl Scenario {
+    /// A scene that is expected to do nothing in particular.
+    #[must_use]
+    pub fn plain(title: &str, description: &str, scene: Scene) -> Self {
+        Self {
+            title: title.to_owned(),
+            description: description.to_owned(),
+            preset: None,
+            look_for: String::new(),
+            expect: Vec::new(),
+            cameras: Vec::new(),
+            scene,
+        }
+    }
+
+    /// What became of the expectations in a record of the scene.
+    #[must_use]
+    pub fn judge(&self, record: &Record) -> Vec<Outcome> {
+        expect::judge(&self.scene, record, &self.expect)
+    }
 }
 
 /// Largest scene file that is read, in bytes: a million balls written in full fit.
@@ -105,13 +139,23 @@ pub fn parse(text: &str, file: &str) -> Result<Scenario, FileError> {
     let layout = layout(text, file)?;
     let (title, description) = (layout.title.clone(), layout.description.clone());
     let preset = layout.preset();
+    let (look_for, expect) = (layout.look_for.clone(), layout.expect.clone());
+    let cameras = layout.cameras.clone();
     let folder = Path::new(file).parent().unwrap_or(Path::new(""));
     let scene = layout
         .into_scene(folder)
         .map_err(|error| error.in_file(file))?;
+    expect::check(&scene, &expect).map_err(|error| LayoutError::from(error).in_file(file))?;
+    let mut numbered = cameras.iter().enumerate();
+    numbered
+        .try_for_each(|(i, camera)| camera.check(i, &scene))
+        .map_err(|error| error.in_file(file))?;
     Ok(Scenario {
         title,
         description,
+        look_for,
+        expect,
+        cameras,
         preset: preset.map(|name| preset::located(&name, folder)),
         scene,
     })
