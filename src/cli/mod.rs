@@ -6,6 +6,7 @@ mod picture;
 mod play;
 mod run;
 mod simulate;
+mod solve;
 mod write;
 
 pub use play::fallback;
@@ -23,6 +24,7 @@ use crate::scenarios::file::FileError;
 use crate::scenarios::library::OpenError;
 use judge::JudgeOptions;
 use run::RunOptions;
+use solve::SolveOptions;
 
 /// Massé: a billiards game and simulator.
 #[derive(Parser, Debug)]
@@ -55,7 +57,8 @@ use run::RunOptions;
         digits; the same scene gives the same text.\n\n\
         EXIT CODES\n  \
         0  done\n  \
-        1  `masse judge`: an exact judge misses; `masse run`: an expectation of the scene is missed\n  \
+        1  `masse judge`: an exact judge misses; `masse run`: an expectation of the scene is missed;\n  \
+           `masse solve`: nothing that meets them was found\n  \
         2  bad input: the message names the file, the place in it and the value; nothing is written\n  \
         3  a file cannot be written\n  \
         4  the solver could not finish the scene"
@@ -77,6 +80,8 @@ enum Command {
     },
     /// Run a scene without a window and write what happens as JSON lines
     Run(RunOptions),
+    /// Search for a shot, or a layout, that does what is expected, and write it as a scene file
+    Solve(SolveOptions),
     /// Draw a run that `masse run` wrote, without running it again
     Picture {
         /// Record file
@@ -156,6 +161,7 @@ pub fn main() -> ExitCode {
         None => play::play(None, None),
         Some(Command::Play { scene, preset }) => play::play(scene.as_deref(), preset.as_deref()),
         Some(Command::Run(options)) => run::run(&options),
+        Some(Command::Solve(options)) => solve::run(&options),
         Some(Command::Picture { record, file }) => {
             picture::draw(&record, &file).map(|()| ExitCode::SUCCESS)
         }

@@ -43,15 +43,13 @@ impl Camera {
             .into())
         };
         match self {
-            Self::Overhead => Ok(()),
             Self::BehindCue if scene.shot.is_none() => {
                 refuse("BehindCue", "BehindCue".to_owned(), "the scene has no shot")
             }
-            Self::BehindCue => Ok(()),
             Self::Follow(ball) if scene.ball_named(ball).is_none() => {
                 refuse("Follow", format!("`{ball}`"), "there is no such ball")
             }
-            Self::Follow(_) => Ok(()),
+            Self::Overhead | Self::BehindCue | Self::Follow(_) => Ok(()),
             Self::Fixed {
                 eye,
                 target,

@@ -1,7 +1,9 @@
 //! What can be played: scene files, the library of scenes that is built in, and presets of equipment.
 
 pub mod camera;
+pub mod dial;
 pub mod expect;
 pub mod file;
 pub mod library;
 pub mod preset;
+pub mod search;

@@ -158,10 +158,23 @@ pub fn solve(scene: &Scene, limits: Limits) -> Result<Record, SolveError> {
     scene.check()?;
     let mut engine = Engine::new(scene, limits)?;
     let mut recorder = Recorder::new(&engine);
+    play(&mut engine, scene, &mut recorder)?;
+    Ok(recorder.into_record())
+}
+
+/// Plays the shot of a scene that has just been loaded, as [`solve`] does, into a recorder that has just begun.
+///
+/// # Errors
+/// [`SolveError`] if the scene cannot be advanced; the engine is then of no further use.
+pub fn play<'r>(
+    engine: &mut Engine,
+    scene: &Scene,
+    recorder: &'r mut Recorder,
+) -> Result<&'r Record, SolveError> {
     if let Some(planned) = &scene.shot {
-        engine.strike(planned.ball, &scene.cue, &planned.shot, &mut recorder)?;
+        engine.strike(planned.ball, &scene.cue, &planned.shot, recorder)?;
     }
-    engine.advance(scene.time_limit, &mut recorder)?;
+    engine.advance(scene.time_limit, recorder)?;
     let reason = if engine.is_at_rest() {
         EndReason::Rest
     } else if engine.next_time().is_none() {
@@ -173,5 +186,5 @@ pub fn solve(scene: &Scene, limits: Limits) -> Result<Record, SolveError> {
         EndReason::Rest => engine.last_event_time(),
         _ => engine.time(),
     };
-    Ok(recorder.finish(&engine, end_time, reason))
+    Ok(recorder.end(engine, end_time, reason))
 }

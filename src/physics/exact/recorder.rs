@@ -49,10 +49,26 @@ impl Recorder {
     /// The record, ended at this time.
     #[must_use]
     pub fn finish(mut self, engine: &Engine, time: f64, reason: EndReason) -> Record {
-        self.record.end = (0..engine.count()).map(|ball| engine.state(ball)).collect();
-        self.record.end_time = time;
-        self.record.reason = Some(reason);
+        self.end(engine, time, reason);
         self.record
+    }
+
+    /// What is written, with the end that it was given.
+    #[must_use]
+    pub fn into_record(self) -> Record {
+        self.record
+    }
+
+    /// Ends the record at this time, and keeps it and its room.
+    pub fn end(&mut self, engine: &Engine, time: f64, reason: EndReason) -> &Record {
+        let record = &mut self.record;
+        record.end.clear();
+        record
+            .end
+            .extend((0..engine.count()).map(|ball| engine.state(ball)));
+        record.end_time = time;
+        record.reason = Some(reason);
+        record
     }
 }
 

@@ -75,8 +75,7 @@ pub(super) fn potted(scene: &Scene, record: &Record, ball: usize, name: Option<&
     let mut miss = pockets
         .map(|pocket| away(pocket.center, pocket.radius))
         .fold(f64::INFINITY, f64::min)
-        .min(4.0)
-        .max(1e-3);
+        .clamp(1e-3, 4.0);
     if fell.is_some() {
         miss += STEP;
     }

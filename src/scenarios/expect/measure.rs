@@ -83,6 +83,7 @@ macro_rules! or_return {
 }
 
 /// Reads one expectation off a record.
+#[expect(clippy::too_many_lines, reason = "one arm for each kind")]
 pub(super) fn read(expected: &Expectation, scene: &Scene, record: &Record) -> Reading {
     let nothing = Reading::new(Shown::NoMoment, 2.0 * NEVER);
     // A record of another scene meets nothing.
@@ -222,6 +223,7 @@ pub(super) fn read(expected: &Expectation, scene: &Scene, record: &Record) -> Re
 }
 
 /// Reads those that speak of speeds, directions, ways and times; none if a ball is missing.
+#[expect(clippy::too_many_lines, reason = "one arm for each kind")]
 fn read_motion(expected: &Expectation, scene: &Scene, record: &Record) -> Option<Reading> {
     let never = |moment: &Moment| Some(Reading::never(moment, scene, record));
     let states = |ball: &str, moment: &Moment| -> Option<(usize, Option<(State, Came)>)> {

@@ -79,6 +79,7 @@ fn between(from: &Moment, until: &Moment) -> String {
 }
 
 /// What is expected.
+#[expect(clippy::too_many_lines, reason = "one arm for each kind")]
 pub(super) fn wanted(expected: &Expectation) -> String {
     match expected {
         Expectation::Potted { ball, pocket } => match pocket {

@@ -15,6 +15,7 @@ use crate::scenarios::file::fill::Fill;
 use crate::scenarios::file::shot::ShotEntry;
 use crate::scenarios::file::surroundings::{LawsEntry, TableEntry};
 use crate::scenarios::preset::{CueEntry, Outfit};
+use crate::scenarios::search::{Free, Tie};
 
 /// A scene file.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -37,6 +38,11 @@ pub(super) struct SceneFile {
     pub(super) expect: Vec<Expectation>,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub(super) cameras: Vec<Camera>,
+    /// What a search may change, see [`crate::scenarios::search`].
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub(super) free: Vec<Free>,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub(super) ties: Vec<Tie>,
     /// Name or file of a preset, see [`crate::scenarios::preset`].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     preset: Option<String>,
@@ -95,6 +101,8 @@ impl SceneFile {
             look_for: scenario.look_for.clone(),
             expect: scenario.expect.clone(),
             cameras: scenario.cameras.clone(),
+            free: scenario.free.clone(),
+            ties: scenario.ties.clone(),
             preset: None,
             table: Some(TableEntry::of(&scene.table)),
             cloth: None,

@@ -54,6 +54,7 @@ use crate::physics::scene::Scene;
 use crate::scenarios::camera::Camera;
 use crate::scenarios::expect::{self, Expectation, Outcome};
 use crate::scenarios::preset;
+use crate::scenarios::search::{self, Free, Tie};
 use layout::SceneFile;
 
 /// A scene with what a person calls it.
@@ -71,6 +72,10 @@ pub struct Scenario {
     pub expect: Vec<Expectation>,
     /// From where to see it.
     pub cameras: Vec<Camera>,
+    /// What a search may change; empty in a scene that is done.
+    pub free: Vec<Free>,
+    /// What follows from what a search changes.
+    pub ties: Vec<Tie>,
     /// The scene, checked.
     pub scene: Scene,
 }
@@ -86,6 +91,8 @@ impl Scenario {
             look_for: String::new(),
             expect: Vec::new(),
             cameras: Vec::new(),
+            free: Vec::new(),
+            ties: Vec::new(),
             scene,
         }
     }
@@ -141,11 +148,13 @@ pub fn parse(text: &str, file: &str) -> Result<Scenario, FileError> {
     let preset = layout.preset();
     let (look_for, expect) = (layout.look_for.clone(), layout.expect.clone());
     let cameras = layout.cameras.clone();
+    let (free, ties) = (layout.free.clone(), layout.ties.clone());
     let folder = Path::new(file).parent().unwrap_or(Path::new(""));
     let scene = layout
         .into_scene(folder)
         .map_err(|error| error.in_file(file))?;
     expect::check(&scene, &expect).map_err(|error| LayoutError::from(error).in_file(file))?;
+    search::check(&scene, &free, &ties).map_err(|error| LayoutError::from(error).in_file(file))?;
     let mut numbered = cameras.iter().enumerate();
     numbered
         .try_for_each(|(i, camera)| camera.check(i, &scene))
@@ -156,6 +165,8 @@ pub fn parse(text: &str, file: &str) -> Result<Scenario, FileError> {
         look_for,
         expect,
         cameras,
+        free,
+        ties,
         preset: preset.map(|name| preset::located(&name, folder)),
         scene,
     })
