@@ -16,12 +16,12 @@ pub fn heading(scene: &Scene, ball: usize, rack: Rack) -> Option<f64> {
         distance(a).total_cmp(&distance(b))
     });
     let lowest = match rack {
-        Rack::NineBall => others
+        Rack::NineBall | Rack::NineOnSpot | Rack::TenBall => others
             .iter()
             .filter_map(|&other| Some((scene.balls[other].name.parse::<u32>().ok()?, other)))
             .min()
             .map(|(_, other)| other),
-        Rack::EightBall => None,
+        _ => None,
     };
     let target = lowest
         .or_else(|| {

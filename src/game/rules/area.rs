@@ -51,6 +51,15 @@ impl Area {
         }
     }
 
+    /// The D of a snooker table.
+    #[must_use]
+    pub fn in_d(table: &Table) -> Self {
+        Self::HalfDisc {
+            center: table.baulk_spot(),
+            radius: table.d_radius(),
+        }
+    }
+
     /// Whether a ball whose centre is above this point, x and z in m, lies in the area. Other balls are not looked at: see
     /// [`Self::is_legal`].
     #[must_use]

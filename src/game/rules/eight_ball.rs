@@ -7,10 +7,11 @@ use crate::game::rules::call::Call;
 use crate::game::rules::facts::Facts;
 use crate::game::rules::foul::Foul;
 use crate::game::rules::pool::{self, Break};
+use crate::game::rules::ruling::Ruling;
 use crate::game::rules::standing::Standing;
 use crate::game::rules::targets::{CallNeeded, On, number, numbered};
 use crate::game::rules::verdict::{Choice, Note, Reason, TableChange};
-use crate::game::rules::{Code, RuleSet, Ruling, Setting};
+use crate::game::rules::{Code, RuleSet, Setting, setting};
 use crate::physics::scene::{Rack, Scene};
 
 /// What it is to meet the 8 first while the table is open. Codes differ.
@@ -251,16 +252,16 @@ impl RuleSet for EightBall {
 
     fn settings(&self) -> Vec<Setting> {
         vec![
-            Setting {
-                name: "eight_first_on_open",
-                value: format!("{:?}", self.eight_first_on_open),
-                meaning: "Foul or Legal: to meet the 8 first while nobody has a group",
-            },
-            Setting {
-                name: "stalemate_after",
-                value: format!("{:?}", self.stalemate_after),
-                meaning: "turns without a pot before a warning; after as many again the same player breaks again",
-            },
+            setting(
+                "eight_first_on_open",
+                self.eight_first_on_open,
+                "Foul or Legal: to meet the 8 first while nobody has a group",
+            ),
+            setting(
+                "stalemate_after",
+                self.stalemate_after,
+                "turns without a pot before a warning; after as many again the same player breaks again",
+            ),
         ]
     }
 

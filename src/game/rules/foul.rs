@@ -71,10 +71,6 @@ pub enum Foul {
         /// The free ball.
         ball: usize,
     },
-    /// No colour was nominated where one had to be.
-    NotNominated,
-    /// The cue ball was struck from a place where it may not be put down.
-    BadPlacement,
     /// The wrong ball was struck with the cue.
     WrongCueBall {
         /// The ball struck.
@@ -105,8 +101,6 @@ impl Foul {
             Self::Jump { .. } => "jump shot",
             Self::Push { .. } => "push stroke",
             Self::SnookeredBehindFreeBall { .. } => "snookered behind the free ball",
-            Self::NotNominated => "no colour nominated",
-            Self::BadPlacement => "bad cue ball placement",
             Self::WrongCueBall { .. } => "wrong cue ball",
             Self::IntoFrozen { .. } => "frozen ball shot into",
         }
@@ -163,10 +157,6 @@ impl Foul {
                     "the opponent was left snookered behind the free ball, {}",
                     ball(free)
                 )
-            }
-            Self::NotNominated => "a colour had to be nominated".to_owned(),
-            Self::BadPlacement => {
-                "the cue ball was played from a place where it may not be put down".to_owned()
             }
             Self::WrongCueBall { struck } => format!("the cue struck {}", ball(struck)),
             Self::IntoFrozen { ball: frozen } => {

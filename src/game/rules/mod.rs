@@ -12,10 +12,21 @@ pub mod call;
 pub mod eight_ball;
 pub mod facts;
 pub mod foul;
+pub mod free;
+pub mod jump;
+pub mod lag;
+pub mod nine_ball;
 mod pool;
+pub mod rotation;
+mod ruling;
+pub mod snooker;
+pub mod snookered;
 pub mod spot;
 mod standing;
+pub mod straight;
 mod targets;
+pub mod ten_ball;
+pub mod three_cushion;
 pub mod verdict;
 
 pub use area::Area;
@@ -23,9 +34,16 @@ pub use call::Call;
 pub use eight_ball::{EightBall, EightFirst};
 pub use facts::Facts;
 pub use foul::Foul;
+pub use free::FreePractice;
+pub use nine_ball::NineBall;
+pub use ruling::Ruling;
+pub use snooker::Snooker;
 pub use spot::Spotted;
 pub use standing::Standing;
+pub use straight::StraightPool;
 pub use targets::{CallNeeded, On};
+pub use ten_ball::TenBall;
+pub use three_cushion::ThreeCushion;
 pub use verdict::{Choice, Note, Over, Reason, TableChange, Verdict};
 
 use std::ops::RangeInclusive;
@@ -46,6 +64,15 @@ pub struct Setting {
     pub value: String,
     /// What it may be, and what that means.
     pub meaning: &'static str,
+}
+
+/// An option as it is set.
+fn setting(name: &'static str, value: impl std::fmt::Debug, meaning: &'static str) -> Setting {
+    Setting {
+        name,
+        value: format!("{value:?}"),
+        meaning,
+    }
 }
 
 /// What a game is called and where its rules come from.
@@ -74,6 +101,11 @@ pub trait RuleSet {
         2..=2
     }
 
+    /// Whether it is played on a table with pockets.
+    fn has_pockets(&self) -> bool {
+        true
+    }
+
     /// How the balls are set up for the opening.
     fn rack(&self) -> Rack;
 
@@ -99,36 +131,6 @@ pub trait RuleSet {
         choice: Choice,
         ruling: &mut Ruling,
     );
-}
-
-/// What a rule set says of a stroke beside where the game stands afterwards: see [`Verdict`].
-#[derive(Clone, Debug)]
-pub struct Ruling {
-    /// As in the verdict.
-    pub fouls: Vec<Foul>,
-    /// As in the verdict.
-    pub made: Vec<usize>,
-    /// Puts balls back.
-    pub spotter: spot::Spotter,
-    /// As in the verdict.
-    pub table: TableChange,
-    /// As in the verdict.
-    pub notes: Vec<Note>,
-    /// Where the cue ball could be put down before the stroke.
-    pub in_hand: Option<Area>,
-}
-
-impl Ruling {
-    fn on(scene: Scene) -> Self {
-        Self {
-            in_hand: None,
-            fouls: Vec::new(),
-            made: Vec::new(),
-            spotter: spot::Spotter::new(scene),
-            table: TableChange::Keep,
-            notes: Vec::new(),
-        }
-    }
 }
 
 /// Writes [`Game`] from the list of rule sets.
@@ -167,6 +169,18 @@ macro_rules! games {
 games! {
     /// 8-ball.
     EightBall,
+    /// 9-ball.
+    NineBall,
+    /// 10-ball.
+    TenBall,
+    /// Straight pool.
+    StraightPool,
+    /// Snooker.
+    Snooker,
+    /// Three-cushion.
+    ThreeCushion,
+    /// Free practice.
+    FreePractice,
 }
 
 impl Game {
@@ -237,14 +251,13 @@ impl GameState {
         for potted in &facts.potted {
             after.balls[potted.ball].state.motion = Motion::Pocketed;
         }
-        let mut ruling = Ruling::on(after);
+        let mut ruling = Ruling::new(after, next.standing.in_hand.take());
         for (ball, spot) in &facts.fell_late {
             ruling.spotter.put(*ball, *spot);
             ruling.notes.push(Note::PutBack { ball: *ball });
         }
         let standing = &mut next.standing;
         standing.shots += 1;
-        ruling.in_hand = standing.in_hand.take();
         standing.choices.clear();
         next.game
             .rules_mut()
@@ -261,7 +274,7 @@ impl GameState {
         }
         let mut next = self.clone();
         next.standing.choices.clear();
-        let mut ruling = Ruling::on(scene.clone());
+        let mut ruling = Ruling::new(scene.clone(), None);
         next.game
             .rules_mut()
             .choose(&mut next.standing, scene, choice, &mut ruling);

@@ -13,7 +13,7 @@ pub(super) const DRIVEN: usize = 4;
 
 /// The fouls of the cue ball and of balls off the table, which hold for every stroke.
 pub(super) fn general(facts: &Facts) -> Vec<Foul> {
-    let mut fouls = Vec::new();
+    let mut fouls: Vec<Foul> = wrong_cue_ball(facts).into_iter().collect();
     if let Some(pocket) = facts.scratch() {
         fouls.push(Foul::Scratch { pocket });
     }
@@ -22,6 +22,12 @@ pub(super) fn general(facts: &Facts) -> Vec<Foul> {
     }
     fouls.extend(facts.object_off().map(|ball| Foul::BallOff { ball }));
     fouls
+}
+
+/// The stroke of another ball than the cue ball.
+pub(super) fn wrong_cue_ball(facts: &Facts) -> Option<Foul> {
+    let struck = facts.stroke()?.ball;
+    (struck != facts.cue).then_some(Foul::WrongCueBall { struck })
 }
 
 /// The fouls of a stroke at balls on the table: which ball is met first, and that something reaches a cushion. `on` are

@@ -68,6 +68,11 @@ impl Spotter {
         self.spotted.push(Spotted { ball, position });
     }
 
+    /// Takes a ball off the table, to be put down again.
+    pub fn lift(&mut self, ball: usize) {
+        self.scene.balls[ball].state.motion = Motion::OffTable;
+    }
+
     /// Whether this spot is free for this ball: on pool spots a ball may touch an object ball, nowhere may it overlap.
     #[must_use]
     pub fn is_free(&self, ball: usize, spot: DVec2, touching: Touching) -> bool {

@@ -27,6 +27,8 @@ pub enum Choice {
     HandBack,
     /// Have the balls put back to where they were before the stroke, and the other player play again.
     PutBack,
+    /// Have the balls that touch the cue ball spotted.
+    Spot,
     /// Go first, of two whose order the lot decided.
     GoFirst,
     /// Let the other player go first.

@@ -7,7 +7,7 @@ mod range;
 
 pub use check::OVERLAP_TOLERANCE;
 pub use error::SceneError;
-pub use rack::Rack;
+pub use rack::{COLOURS, Rack, colour_spot};
 pub use range::{check_parameter, within};
 
 use glam::DVec3;

@@ -4,6 +4,7 @@ mod build;
 mod ground;
 mod nose;
 mod presets;
+mod spots;
 
 pub use build::{Mouth, PocketedTable};
 pub use ground::{FLOOR, Ground, RAIL};
@@ -153,17 +154,5 @@ impl Table {
     #[must_use]
     pub fn rail_height(&self) -> f64 {
         1.16 * self.nose_height
-    }
-
-    /// The point on the centre line a quarter of the length from the foot: where the rack begins.
-    #[must_use]
-    pub fn foot_spot(&self) -> DVec2 {
-        DVec2::new(0.25 * self.length, 0.0)
-    }
-
-    /// The point on the centre line a quarter of the length from the head.
-    #[must_use]
-    pub fn head_spot(&self) -> DVec2 {
-        DVec2::new(-0.25 * self.length, 0.0)
     }
 }

@@ -15,7 +15,7 @@ pub(super) fn command(
 ) {
     let next = match practice.rack {
         Rack::EightBall => Rack::NineBall,
-        Rack::NineBall => Rack::EightBall,
+        _ => Rack::EightBall,
     };
     for (action, command) in [
         (Action::Retry, PracticeCommand::Retry),
