@@ -3,7 +3,7 @@
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
-use crate::game::rules::facts::Facts;
+use crate::game::rules::facts::{FROZEN, Facts};
 use crate::physics::record::Record;
 use crate::physics::scene::Scene;
 use crate::physics::table::Cushion;
@@ -87,10 +87,12 @@ pub fn lag(scene: &Scene, record: &Record, ball: usize) -> Result<f64, BadLag> {
     if crossed {
         return Err(BadLag::CrossedLongLine);
     }
-    let distance = end.position.x + 0.5 * scene.table.length - scene.balls[ball].ball.radius;
-    if distance < -scene.balls[ball].ball.radius {
+    let radius = scene.balls[ball].ball.radius;
+    let to_nose = end.position.x + 0.5 * scene.table.length;
+    if to_nose < scene.table.reach(radius) - FROZEN {
         return Err(BadLag::PastNose);
     }
+    let distance = to_nose - radius;
     Ok(distance)
 }
 

@@ -141,38 +141,49 @@ impl StraightPool {
     }
 }
 
-/// Where the last ball and the cue ball lie when fourteen balls are racked again.
+/// Where a ball lies, as far as a new rack of fourteen is concerned.
+#[derive(Clone, Copy, PartialEq)]
+enum Where {
+    /// In the way of the rack.
+    Rack,
+    /// In the way of the head spot.
+    HeadSpot,
+    /// Behind the head string.
+    Kitchen,
+    /// Anywhere else.
+    Elsewhere,
+}
+
+impl Where {
+    fn of(scene: &Scene, places: &[DVec2], ball: usize) -> Self {
+        let position = scene.balls[ball].state.position;
+        let here = DVec2::new(position.x, position.z);
+        let diameter = 2.0 * scene.balls[ball].ball.radius;
+        let head = scene.table.head_spot();
+        if places.iter().any(|place| place.distance(here) < diameter) {
+            Self::Rack
+        } else if here.distance(head) < diameter {
+            Self::HeadSpot
+        } else if here.x < head.x {
+            Self::Kitchen
+        } else {
+            Self::Elsewhere
+        }
+    }
+}
+
+/// Where the cue ball and the last ball lie when fourteen balls are racked again.
 struct Lie {
-    cue: usize,
-    cue_in_rack: bool,
-    cue_on_head_spot: bool,
-    last: Option<usize>,
-    last_in_rack: bool,
-    last_on_head_spot: bool,
-    last_in_kitchen: bool,
+    cue: (usize, Where),
+    last: Option<(usize, Where)>,
 }
 
 impl Lie {
     fn of(scene: &Scene, places: &[DVec2], cue: usize, last: Option<usize>) -> Self {
-        let plan = |ball: usize| {
-            let position = scene.balls[ball].state.position;
-            DVec2::new(position.x, position.z)
-        };
-        let diameter = 2.0 * scene.balls[cue].ball.radius;
-        let in_rack = |ball: usize| {
-            let here = plan(ball);
-            places.iter().any(|place| place.distance(here) < diameter)
-        };
-        let head = scene.table.head_spot();
-        let bars_head = |ball: usize| plan(ball).distance(head) < diameter;
+        let lies = |ball: usize| (ball, Where::of(scene, places, ball));
         Self {
-            cue,
-            cue_in_rack: in_rack(cue),
-            cue_on_head_spot: bars_head(cue),
-            last,
-            last_in_rack: last.is_some_and(in_rack),
-            last_on_head_spot: last.is_some_and(bars_head),
-            last_in_kitchen: last.is_some_and(|ball| plan(ball).x < head.x),
+            cue: lies(cue),
+            last: last.map(lies),
         }
     }
 
@@ -186,24 +197,23 @@ impl Lie {
     ) {
         let table = spotter.scene().table.clone();
         let (head, center) = (table.head_spot(), DVec2::ZERO);
+        let (cue, cue_lies) = self.cue;
         let mut whole = self.last.is_none();
-        match self.last {
-            Some(last) if self.last_in_rack && self.cue_in_rack => {
-                down.push(last);
-                whole = true;
+        if let Some((last, Where::Rack)) = self.last {
+            match cue_lies {
+                Where::Rack => {
+                    down.push(last);
+                    whole = true;
+                }
+                Where::HeadSpot => spotter.put(last, center),
+                _ => spotter.put(last, head),
             }
-            Some(last) if self.last_in_rack => {
-                let spot = if self.cue_on_head_spot { center } else { head };
-                spotter.put(last, spot);
-            }
-            _ => {}
         }
-        if self.cue_in_rack {
-            if whole || !(self.last_on_head_spot || self.last_in_kitchen) {
-                standing.in_hand = Some(Area::behind_head_string(&table));
-            } else {
-                let spot = if self.last_on_head_spot { center } else { head };
-                spotter.put(self.cue, spot);
+        if cue_lies == Where::Rack {
+            match self.last {
+                Some((_, Where::HeadSpot)) => spotter.put(cue, center),
+                Some((_, Where::Kitchen)) => spotter.put(cue, head),
+                _ => standing.in_hand = Some(Area::behind_head_string(&table)),
             }
         }
         let from = usize::from(!whole);

@@ -163,16 +163,15 @@ fn opening(scene: &Scene, table: &Table, cue: &str) -> Vec<(usize, DVec2)> {
         ..scene.clone()
     };
     Rack::ThreeCushion.place(&mut racked, scene.balls[0].ball, 0.0, 0);
-    let name = |white: &str| match (cue, white) {
-        ("yellow", "white") => "yellow",
-        ("yellow", "yellow") => "white",
-        (_, "white") => "white",
-        (_, "yellow") => "yellow",
-        _ => "red",
+    // Seen by the player of the yellow ball the two cue balls change places.
+    let name = |racked: &str| match (cue, racked) {
+        ("yellow", "white") => "yellow".to_owned(),
+        ("yellow", "yellow") => "white".to_owned(),
+        _ => racked.to_owned(),
     };
     (0..racked.balls.len())
         .filter_map(|ball| {
-            let index = scene.ball_named(name(&racked.balls[ball].name))?;
+            let index = scene.ball_named(&name(&racked.balls[ball].name))?;
             Some((index, plan(&racked, ball)))
         })
         .collect()

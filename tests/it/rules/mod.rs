@@ -1,8 +1,11 @@
 //! Rules: every rule with a record that shows it.
 
 mod eight_ball;
+mod general;
 mod nine_ball;
 mod seen;
+mod snooker;
 mod story;
 mod straight;
 mod ten_ball;
+mod three_cushion;

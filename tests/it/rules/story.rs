@@ -132,6 +132,25 @@ impl Story {
         self
     }
 
+    /// A ball flies straight to here, x and z in m, above everything, and comes down there.
+    pub(super) fn fly(mut self, name: &str, x: f64, z: f64) -> Self {
+        let ball = self.ball(name);
+        let from = self.record.end[ball].position;
+        let start = DVec3::new(from.x, 0.1, from.z);
+        let state = State {
+            velocity: (DVec3::new(x, 0.1, z) - start) / 0.1,
+            motion: Motion::Airborne,
+            ..State::at_rest(start)
+        };
+        self.record.paths[ball].push(PathPiece {
+            time: self.clock,
+            piece: Piece::uniform(state),
+        });
+        self = self.go(name, x, z);
+        self.tell(EventKind::Slate, ball, None);
+        self
+    }
+
     pub(super) fn record(&self) -> &Record {
         &self.record
     }

@@ -28,12 +28,12 @@ const FEW: [(&str, f64, f64); 4] = [
     ("10", 0.8, -0.3),
 ];
 
-fn over(scene: &Scene) -> Option<Over> {
+fn won(scene: &Scene) -> Over {
     let ball = scene.ball_named("10").expect("a 10");
-    Some(Over {
+    Over {
         winner: Some(0),
         reason: Reason::WinningBall { ball },
-    })
+    }
 }
 
 #[test]
@@ -154,7 +154,7 @@ fn the_10_wins_only_when_called() {
             .next
             .standing
             .over,
-        over(&scene)
+        Some(won(&scene))
     );
     assert_eq!(story.judge(&state, &Call::Nothing).next.standing.over, None);
     let spotted = TenBall {
@@ -177,7 +177,7 @@ fn the_10_wins_only_when_called() {
     let last = Story::of(&scene).meet("cue", "10").pot("10", 0);
     assert_eq!(
         last.judge(&state, &pot(&scene, "10", 0)).next.standing.over,
-        over(&scene)
+        Some(won(&scene))
     );
 }
 

@@ -67,7 +67,7 @@ impl Snooker {
     }
 
     /// Everything that was wrong, and what the dearest of it costs.
-    pub(super) fn wrong(&self, facts: &Facts, aim: &Aim) -> Wrong {
+    pub(super) fn wrong(facts: &Facts, aim: &Aim) -> Wrong {
         let scene = facts.scene;
         let mut wrong = Wrong {
             fouls: Vec::new(),

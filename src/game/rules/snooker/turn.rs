@@ -25,7 +25,7 @@ impl Snooker {
     ) {
         self.before = None;
         let aim = self.aim(facts, call);
-        let mut wrong = self.wrong(facts, &aim);
+        let mut wrong = Self::wrong(facts, &aim);
         let gone: Vec<usize> = facts
             .object_potted()
             .map(|potted| potted.ball)
@@ -40,7 +40,7 @@ impl Snooker {
             let back = gone.iter().copied().filter(|ball| !stays_down(ball));
             respot(&mut ruling.spotter, back.collect());
             if potted.is_empty() {
-                self.look_behind_free_ball(facts, &aim, ruling, &mut wrong);
+                Self::look_behind_free_ball(facts, &aim, ruling, &mut wrong);
             }
         } else {
             respot(&mut ruling.spotter, gone);
@@ -53,7 +53,7 @@ impl Snooker {
     }
 
     /// It is a foul to leave the opponent snookered behind the free ball, but with only pink and black left.
-    fn look_behind_free_ball(&self, facts: &Facts, aim: &Aim, ruling: &Ruling, wrong: &mut Wrong) {
+    fn look_behind_free_ball(facts: &Facts, aim: &Aim, ruling: &Ruling, wrong: &mut Wrong) {
         let after = ruling.spotter.scene();
         let (Some(free), Some(next)) = (aim.free, BallOn::fresh(after)) else {
             return;
