@@ -4,9 +4,11 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::Args;
+use serde::Serialize;
 
 use crate::cli::{CommandError, say, to_file, to_stdout};
 use crate::report::chart;
+use crate::report::judge::hard::{self, Hard};
 use crate::report::judge::{Judgement, judge, pictures};
 use crate::scenarios::preset;
 
@@ -19,6 +21,9 @@ pub(super) struct JudgeOptions {
     /// Folder for the pictures, in SVG; made if it is not there. Without this option it is `judge`, and with --json none
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
+    /// Play the hard cases H1 to H16 by both solvers instead, and print what must happen and what did; no pictures
+    #[arg(long, conflicts_with_all = ["out", "no_pictures", "allow"])]
+    hard: bool,
     /// Write no pictures
     #[arg(long, conflicts_with = "out")]
     no_pictures: bool,
@@ -36,6 +41,9 @@ fn factor(text: &str) -> Result<f64, String> {
 
 /// Judges every law, prints the tables and draws the pictures. Exit code 1 if an exact judge misses.
 pub(super) fn run(options: &JudgeOptions) -> Result<ExitCode, CommandError> {
+    if options.hard {
+        return hard_cases(options.json);
+    }
     let mut presets = Vec::new();
     for built_in in preset::BUILT_IN {
         presets.push((built_in.name.to_owned(), built_in.preset()?.equipment));
@@ -55,6 +63,37 @@ pub(super) fn run(options: &JudgeOptions) -> Result<ExitCode, CommandError> {
         "masse: {} exact judges miss, the first is: {}",
         missed.len(),
         missed[0]
+    ));
+    Ok(ExitCode::from(1))
+}
+
+/// What `--hard --json` writes.
+#[derive(Serialize)]
+struct HardCases<'r> {
+    hard: &'r [Hard],
+}
+
+/// Plays the hard cases. Exit code 1 if one of them misses.
+fn hard_cases(json: bool) -> Result<ExitCode, CommandError> {
+    let rows = hard::suite();
+    to_stdout(|out| {
+        if json {
+            serde_json::to_writer_pretty(&mut *out, &HardCases { hard: &rows })?;
+            writeln!(out)
+        } else {
+            write!(out, "{}", hard::text(&rows))
+        }
+    })?;
+    let missed: Vec<&Hard> = rows.iter().filter(|row| !row.pass).collect();
+    let Some(first) = missed.first() else {
+        return Ok(ExitCode::SUCCESS);
+    };
+    say(&format!(
+        "masse: {} hard cases miss, the first is: {} {}, {}",
+        missed.len(),
+        first.case,
+        first.scene,
+        first.solver
     ));
     Ok(ExitCode::from(1))
 }

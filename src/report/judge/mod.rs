@@ -14,6 +14,7 @@
 mod coursework;
 mod exact;
 mod experiments;
+pub mod hard;
 mod measurements;
 pub mod pictures;
 mod row;

@@ -1,6 +1,7 @@
 //! The tables as text for a terminal.
 
 use std::fmt::Write;
+use std::ops::Range;
 
 use crate::report::judge::{Judgement, Measure, Row};
 
@@ -42,16 +43,10 @@ pub(super) fn text(judgement: &Judgement) -> String {
 }
 
 fn table(text: &mut String, title: &str, rows: &[Row]) {
-    let head = HEAD.map(str::to_owned);
     let cells: Vec<[String; 7]> = rows.iter().map(cells).collect();
-    let mut widths = [0; 7];
-    for row in cells.iter().chain([&head]) {
-        for (width, cell) in widths.iter_mut().zip(row) {
-            *width = cell.chars().count().max(*width);
-        }
-    }
+    let lines = columns(&HEAD.map(str::to_owned), &cells, 2..6);
     let _ = writeln!(text, "{title}\n");
-    let _ = writeln!(text, "{}", line(&head, widths));
+    let _ = writeln!(text, "{}", lines[0]);
     let mut family = "";
     for (i, row) in rows.iter().enumerate() {
         // A line of space before the next judge or experiment.
@@ -60,7 +55,7 @@ fn table(text: &mut String, title: &str, rows: &[Row]) {
             text.push('\n');
             family = named;
         }
-        let _ = writeln!(text, "{}", line(&cells[i], widths));
+        let _ = writeln!(text, "{}", lines[i + 1]);
         // A sentence that holds for several rows is told once, below the last of them.
         let told_later = rows.get(i + 1).is_some_and(|next| next.note == row.note);
         if let Some(note) = row.note.as_ref().filter(|_| !told_later) {
@@ -72,21 +67,34 @@ fn table(text: &mut String, title: &str, rows: &[Row]) {
     text.push('\n');
 }
 
-/// Names to the left, numbers to the right.
-fn line(cells: &[String; 7], widths: [usize; 7]) -> String {
-    let mut line = String::new();
-    for (i, (cell, width)) in cells.iter().zip(widths).enumerate() {
-        let space = " ".repeat(width - cell.chars().count());
-        if (2..6).contains(&i) {
-            line += &space;
-            line += cell;
-        } else {
-            line += cell;
-            line += &space;
+/// A head and rows as lines with columns of even width, names to the left, the columns of numbers to the right.
+pub(super) fn columns<const N: usize>(
+    head: &[String; N],
+    rows: &[[String; N]],
+    numbers: Range<usize>,
+) -> Vec<String> {
+    let mut widths = [0; N];
+    for row in rows.iter().chain([head]) {
+        for (width, cell) in widths.iter_mut().zip(row) {
+            *width = cell.chars().count().max(*width);
         }
-        line += "  ";
     }
-    line.trim_end().to_owned()
+    let line = |cells: &[String; N]| {
+        let mut line = String::new();
+        for (i, (cell, width)) in cells.iter().zip(widths).enumerate() {
+            let space = " ".repeat(width - cell.chars().count());
+            if numbers.contains(&i) {
+                line += &space;
+                line += cell;
+            } else {
+                line += cell;
+                line += &space;
+            }
+            line += "  ";
+        }
+        line.trim_end().to_owned()
+    };
+    [head].into_iter().chain(rows).map(line).collect()
 }
 
 fn cells(row: &Row) -> [String; 7] {

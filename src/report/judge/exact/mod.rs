@@ -16,6 +16,7 @@ use crate::report::judge::{Family, Work};
 pub(super) use cushion::components;
 pub(super) use deflection::shot;
 pub(super) use simultaneous::frozen_pair;
+pub(super) use symmetry::{ball_ball as random_balls, cushion as random_cushions};
 pub(super) use throw::SPEEDS;
 
 /// Every family, in the order of the table.

@@ -144,7 +144,7 @@ fn size(ball: &Ball, state: &State) -> f64 {
     state.velocity.length() + ball.radius * state.angular_velocity.length()
 }
 
-pub(super) fn ball_ball() -> Vec<Row> {
+pub(in crate::report::judge) fn ball_ball() -> Vec<Row> {
     let mut rows = Vec::new();
     for (name, law) in ball_ball_laws() {
         let mut draw = Draw::new();
@@ -192,7 +192,7 @@ pub(super) fn ball_ball() -> Vec<Row> {
     rows
 }
 
-pub(super) fn cushion() -> Vec<Row> {
+pub(in crate::report::judge) fn cushion() -> Vec<Row> {
     let mut rows = Vec::new();
     for (name, law) in cushion_laws() {
         let mut draw = Draw::new();

@@ -1,0 +1,267 @@
+//! The audit of a run: what must hold after every event of whatever scene, by whichever solver.
+//!
+//! Energy never rises, momentum is kept where nothing but balls acts on balls, nothing overlaps, nobody leaves the table
+//! except through a pocket or through the air, time never goes back. An [`Audit`] listens to the engine while it runs, or
+//! reads a record afterwards, and keeps the worst of everything; what is too much is for the reader to say.
+
+use glam::{DVec2, DVec3};
+
+use crate::physics::ball::{Ball, Motion, State};
+use crate::physics::exact::{CONTACT_TIME, Watch};
+use crate::physics::laws::ball_ball::BallBallLaw;
+use crate::physics::record::{Event, EventKind, PathPiece, Record};
+use crate::physics::scene::Scene;
+
+/// Energy in J by which the pieces of a roll over the edge of a pocket are off between their ends, per kg: they leave the
+/// arc by up to 0.05 mm.
+const TIPPING: f64 = 1e-3;
+
+/// The worst that was seen.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Worst {
+    /// Largest rise of the energy at one event beyond what lasting contacts and rolls over an edge may add, as a share of
+    /// the most energy there ever was.
+    pub energy: f64,
+    /// Largest change of momentum in an impact of nothing but balls, as a share of the momentum that moved.
+    pub momentum: f64,
+    /// Deepest overlap of two balls in m.
+    pub overlap: f64,
+    /// Deepest overlap of a ball on the slate and a cushion in m.
+    pub cushion: f64,
+    /// Longest step back in time in s.
+    pub back: f64,
+    /// Balls on the slate that were found where no slate is.
+    pub left: u32,
+    /// States that are not finite.
+    pub not_finite: u32,
+    /// Events.
+    pub events: u64,
+}
+
+/// Listens, and keeps the worst.
+#[derive(Clone, Debug)]
+pub struct Audit<'s> {
+    scene: &'s Scene,
+    paths: Vec<PathPiece>,
+    gravity: f64,
+    /// Time of the last event or piece.
+    time: f64,
+    energy: f64,
+    most_energy: f64,
+    /// Change of momentum at this instant, and how much of it moved at all.
+    momentum: (DVec3, f64),
+    /// Whether anything but two balls met at this instant.
+    others: bool,
+    /// Whether a ball tipped at the last event.
+    tipped: bool,
+    worst: Worst,
+}
+
+impl<'s> Audit<'s> {
+    /// Begins with the balls as the scene has them.
+    #[must_use]
+    pub fn new(scene: &'s Scene) -> Self {
+        let path = |ball: &crate::physics::scene::SceneBall| {
+            let state = scene.laws.motion.classify(&ball.ball, ball.state);
+            PathPiece {
+                time: 0.0,
+                piece: scene.laws.piece(&scene.table, &ball.ball, &state),
+            }
+        };
+        let mut audit = Self {
+            scene,
+            paths: scene.balls.iter().map(path).collect(),
+            gravity: scene.laws.motion.gravity().unwrap_or(0.0),
+            time: 0.0,
+            energy: 0.0,
+            most_energy: 0.0,
+            momentum: (DVec3::ZERO, 0.0),
+            others: false,
+            tipped: false,
+            worst: Worst::default(),
+        };
+        audit.energy = audit.energy_at(0.0);
+        audit.most_energy = audit.energy;
+        audit
+    }
+
+    /// The audit of a whole record.
+    #[must_use]
+    pub fn of(scene: &'s Scene, record: &Record) -> Worst {
+        let mut pieces: Vec<(usize, PathPiece)> = Vec::new();
+        for (ball, path) in record.paths.iter().enumerate() {
+            pieces.extend(path.iter().map(|piece| (ball, *piece)));
+        }
+        pieces.sort_by(|a, b| a.1.time.total_cmp(&b.1.time));
+        let mut audit = Self::new(scene);
+        let mut next = pieces.into_iter().peekable();
+        for event in &record.events {
+            while let Some((ball, piece)) = next.next_if(|(_, piece)| piece.time <= event.time) {
+                audit.piece(ball, &piece);
+            }
+            audit.event(event);
+        }
+        audit.worst()
+    }
+
+    /// What was seen so far.
+    #[must_use]
+    pub fn worst(&self) -> Worst {
+        let mut ended = self.clone();
+        ended.end_instant();
+        ended.worst
+    }
+
+    /// Kinetic and potential energy of all balls in play in J.
+    fn energy_at(&self, time: f64) -> f64 {
+        (0..self.paths.len())
+            .map(|index| self.energy_of(index, &self.state(index, time)))
+            .sum()
+    }
+
+    fn energy_of(&self, index: usize, state: &State) -> f64 {
+        let ball = &self.scene.balls[index].ball;
+        if !state.motion.in_play() {
+            return 0.0;
+        }
+        ball.kinetic_energy(state) + ball.mass * self.gravity * (state.position.y - ball.radius)
+    }
+
+    fn state(&self, ball: usize, time: f64) -> State {
+        let path = &self.paths[ball];
+        path.piece.at((time - path.time).max(0.0))
+    }
+
+    /// What lasting contacts may add at one event in J: they part with half the speed that their press gives them in a
+    /// contact time. Falls below the slate count from there.
+    fn allowance(&self, event: &Event) -> f64 {
+        event
+            .participants()
+            .map(|one| {
+                let press = self.paths[one.ball].piece.acceleration.length();
+                let speed = CONTACT_TIME * press.max(self.gravity);
+                self.scene.balls[one.ball].ball.mass * speed * speed
+            })
+            .sum()
+    }
+
+    fn check_energy(&mut self, event: &Event) {
+        let now = self.energy_at(event.time);
+        let tipping = |path: &PathPiece| path.piece.start.motion == Motion::Tipping;
+        let tips = self.paths.iter().any(tipping);
+        let mut more = self.allowance(event);
+        if tips || self.tipped {
+            let heaviest = self.scene.balls.iter().map(|ball| ball.ball.mass);
+            more += TIPPING * heaviest.fold(0.0, f64::max);
+        }
+        self.tipped = tips;
+        if matches!(event.kind, EventKind::Strike { .. }) {
+            self.most_energy = now.max(self.most_energy);
+        } else if self.most_energy > 0.0 {
+            let rise = (now - self.energy - more) / self.most_energy;
+            self.worst.energy = self.worst.energy.max(rise);
+        }
+        self.energy = now;
+    }
+
+    fn check_room(&mut self, time: f64) {
+        let states: Vec<State> = (0..self.paths.len())
+            .map(|ball| self.state(ball, time))
+            .collect();
+        for (one, state) in states.iter().enumerate() {
+            let ball = self.scene.balls[one].ball;
+            if !state.is_finite() {
+                self.worst.not_finite += 1;
+            }
+            if !state.motion.in_play() {
+                continue;
+            }
+            for (two, other) in states.iter().enumerate().take(one) {
+                if other.motion.in_play() {
+                    let reach = ball.radius + self.scene.balls[two].ball.radius;
+                    let overlap = reach - (state.position - other.position).length();
+                    if !(self.is_given_back(state) || self.is_given_back(other)) {
+                        self.worst.overlap = self.worst.overlap.max(overlap);
+                    }
+                }
+            }
+            if !state.motion.flies() {
+                self.check_place(&ball, state);
+            }
+        }
+    }
+
+    fn check_place(&mut self, ball: &Ball, state: &State) {
+        let table = &self.scene.table;
+        let point = DVec2::new(state.position.x, state.position.z);
+        if self.is_given_back(state) {
+            return;
+        }
+        let reach = table.reach(ball.radius);
+        for cushion in &table.cushions {
+            let (distance, _) = cushion.nearest(point);
+            self.worst.cushion = self.worst.cushion.max(reach - distance);
+        }
+        let near = |factor: f64| {
+            let within = |pocket: &crate::physics::table::Pocket| {
+                point.distance(pocket.center) < factor * pocket.radius
+            };
+            table.pockets.iter().any(within)
+        };
+        if table.beyond(point) > 0.0 && !near(2.5) {
+            self.worst.left += 1;
+        }
+    }
+
+    /// Near a pocket a ball that comes back from its edge is put on the slate wherever that is, and what it then overlaps
+    /// pushes it away.
+    fn is_given_back(&self, state: &State) -> bool {
+        let point = DVec2::new(state.position.x, state.position.z);
+        let near = |pocket: &crate::physics::table::Pocket| {
+            point.distance(pocket.center) < 2.0 * pocket.radius
+        };
+        self.scene.laws.pocket != crate::physics::laws::pocket::PocketLaw::Capture
+            && self.scene.table.pockets.iter().any(near)
+    }
+
+    /// Closes the books of an instant: if nothing but balls met, their momentum is what it was.
+    fn end_instant(&mut self) {
+        let (change, moved) = self.momentum;
+        let pressed = matches!(self.scene.laws.ball_ball, BallBallLaw::Mathavan2014(_));
+        if !self.others && !pressed && moved > 0.0 {
+            // Two balls on the slate give what lifts or presses them to the slate.
+            let level = DVec3::new(change.x, 0.0, change.z);
+            self.worst.momentum = self.worst.momentum.max(level.length() / moved);
+        }
+        self.momentum = (DVec3::ZERO, 0.0);
+        self.others = false;
+    }
+
+    fn pass_to(&mut self, time: f64) {
+        if time != self.time {
+            self.end_instant();
+        }
+        self.worst.back = self.worst.back.max(self.time - time);
+        self.time = self.time.max(time);
+    }
+}
+
+impl Watch for Audit<'_> {
+    fn event(&mut self, event: &Event) {
+        self.pass_to(event.time);
+        self.worst.events += 1;
+        self.others |= event.kind != EventKind::BallBall;
+        self.check_energy(event);
+        self.check_room(event.time);
+    }
+
+    fn piece(&mut self, ball: usize, piece: &PathPiece) {
+        self.pass_to(piece.time);
+        let mass = self.scene.balls[ball].ball.mass;
+        let before = self.state(ball, piece.time).velocity;
+        let after = piece.piece.start.velocity;
+        self.momentum.0 += mass * (after - before);
+        self.momentum.1 += mass * (after.length() + before.length());
+        self.paths[ball] = *piece;
+    }
+}
