@@ -7,9 +7,10 @@
 use glam::{DVec2, DVec3};
 
 use crate::physics::ball::{Ball, Motion, State};
-use crate::physics::exact::{CONTACT_TIME, Watch};
+use crate::physics::exact::Watch;
 use crate::physics::laws::ball_ball::BallBallLaw;
-use crate::physics::record::{Event, EventKind, PathPiece, Record};
+use crate::physics::laws::cluster::CONTACT_TIME;
+use crate::physics::record::{Event, EventKind, Participant, PathPiece, Record};
 use crate::physics::scene::Scene;
 
 /// Energy in J by which the pieces of a roll over the edge of a pocket are off between their ends, per kg: they leave the
@@ -112,7 +113,7 @@ impl<'s> Audit<'s> {
         ended.worst
     }
 
-    /// Kinetic and potential energy of all balls in play in J.
+    /// Kinetic and potential energy of all balls in J, those at the bottom of pockets among them.
     fn energy_at(&self, time: f64) -> f64 {
         (0..self.paths.len())
             .map(|index| self.energy_of(index, &self.state(index, time)))
@@ -121,9 +122,6 @@ impl<'s> Audit<'s> {
 
     fn energy_of(&self, index: usize, state: &State) -> f64 {
         let ball = &self.scene.balls[index].ball;
-        if !state.motion.in_play() {
-            return 0.0;
-        }
         ball.kinetic_energy(state) + ball.mass * self.gravity * (state.position.y - ball.radius)
     }
 
@@ -250,7 +248,9 @@ impl Watch for Audit<'_> {
     fn event(&mut self, event: &Event) {
         self.pass_to(event.time);
         self.worst.events += 1;
-        self.others |= event.kind != EventKind::BallBall;
+        // The slate takes up what throws a ball down on it, and rubs.
+        let flies = |one: &Participant| one.before.motion.flies() || one.after.motion.flies();
+        self.others |= event.kind != EventKind::BallBall || event.participants().any(flies);
         self.check_energy(event);
         self.check_room(event.time);
     }

@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::physics::ball::State;
 use crate::physics::exact::{Engine, Limits, Saved, SolveError};
+use crate::physics::laws::cluster::Other;
 use crate::physics::record::{Event, PathPiece};
 use crate::physics::scene::Scene;
 use crate::sim::clock::Clock;
@@ -12,6 +13,7 @@ use crate::sim::components::{AngularVelocity, BallIndex, MotionKind, Position, V
 use crate::sim::exact::LiveEngine;
 use crate::sim::playfield::{BallQuery, Playfield, lay_out, snapshot};
 use crate::sim::recorder::Recorder;
+use crate::sim::stepped::Bodies;
 
 /// A table as it is, to be written to a file: balls in motion, the clock, the solver's plans, and what the shot has done so
 /// far. A stroke that was asked for and not yet played is not in it.
@@ -26,6 +28,9 @@ pub struct SavedTable {
     paths: Vec<Vec<(f64, State)>>,
     trails: Vec<Vec<(f64, State)>>,
     before: Option<Scene>,
+    /// What each ball has touched lately, where the stepped solver knows.
+    #[serde(default)]
+    touched: Vec<Vec<(Other, f64)>>,
 }
 
 impl SavedTable {
@@ -61,6 +66,7 @@ pub fn save(world: &mut World) -> SavedTable {
         paths: recorder.paths.iter().map(starts).collect(),
         trails: recorder.trails.clone(),
         before: recorder.before.clone(),
+        touched: world.resource::<Bodies>().memory(),
     }
 }
 
@@ -92,6 +98,7 @@ pub fn restore(world: &mut World, saved: &SavedTable) -> Result<(), SolveError> 
             spin.0 = ball.state.angular_velocity;
         }
     }
+    world.resource_mut::<Bodies>().remember(&saved.touched);
     world.insert_resource(LiveEngine(engine));
     world.insert_resource(Clock {
         ticks: saved.ticks,
@@ -104,7 +111,7 @@ pub fn restore(world: &mut World, saved: &SavedTable) -> Result<(), SolveError> 
         };
         let piece = |&(time, start): &(f64, State)| PathPiece {
             time,
-            piece: scene.laws.motion.piece(&body.ball, &start),
+            piece: scene.laws.piece(&scene.table, &body.ball, &start),
         };
         starts.iter().map(piece).collect()
     };

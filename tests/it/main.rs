@@ -6,12 +6,13 @@ mod cli;
 mod closeness;
 #[cfg(feature = "window")]
 mod controls;
-mod convergence;
+
 mod crowds;
 mod cue_path;
 mod equip;
 mod exact;
 mod frames;
+mod hard;
 mod judge;
 mod judges;
 mod live_exact;

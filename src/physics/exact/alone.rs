@@ -6,11 +6,10 @@ use glam::{DVec2, DVec3};
 use crate::physics::ball::State;
 use crate::physics::exact::cells::Neighbours;
 use crate::physics::exact::engine::Engine;
-use crate::physics::exact::predict::Partner;
 use crate::physics::exact::walls::Area;
-use crate::physics::exact::{DEEP, SLOW, SolveError, Watch};
+use crate::physics::exact::{SolveError, Watch};
 use crate::physics::laws::ball_ball::PairContact;
-use crate::physics::laws::cluster::TOUCH;
+use crate::physics::laws::cluster::{DEEP, Other, SLOW, TOUCH};
 use crate::physics::record::{Event, EventKind, Participant};
 
 impl Engine {
@@ -85,8 +84,8 @@ impl Engine {
         }
         self.set(ball, after[0], watch)?;
         self.set(other, after[1], watch)?;
-        self.touched[ball].add(Partner::Ball(other as u32), self.clock);
-        self.touched[other].add(Partner::Ball(ball as u32), self.clock);
+        self.touched[ball].add(Other::Ball(other as u32), self.clock);
+        self.touched[other].add(Other::Ball(ball as u32), self.clock);
         report([ball, other], before, after, impulse, self.clock, watch);
         let known = self.cells.is_some();
         self.predict_among(ball, known.then_some(&near_one))?;

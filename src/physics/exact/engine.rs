@@ -9,11 +9,10 @@ use crate::physics::exact::cells::Cells;
 use crate::physics::exact::flight::Flight;
 use crate::physics::exact::predict::Partner;
 use crate::physics::exact::queue::Queue;
-use crate::physics::exact::touched::Touched;
 use crate::physics::exact::walls::Walls;
-use crate::physics::exact::{CONTACT_TIME, Contact, Limits, SolveError, Watch};
+use crate::physics::exact::{Contact, Limits, SolveError, Watch};
 use crate::physics::laws::Laws;
-use crate::physics::laws::cluster::Cluster;
+use crate::physics::laws::cluster::{CONTACT_TIME, Cluster, Other, Touched};
 use crate::physics::laws::motion::MotionLaw;
 use crate::physics::record::{Event, EventKind, Participant, PathPiece};
 use crate::physics::scene::strike_with;
@@ -45,9 +44,6 @@ pub struct Engine {
     pub(super) happened: u64,
     pub(super) limits: Limits,
     pub(super) cluster: Cluster,
-    pub(super) before: Vec<State>,
-    pub(super) parting: Vec<f64>,
-    pub(super) lasting: Vec<bool>,
     pub(super) near: Vec<usize>,
     /// All balls, where they are not found by cells.
     pub(super) everyone: Vec<u32>,
@@ -147,17 +143,19 @@ impl Engine {
     /// Whether a ball leans on something: it has touched the same thing within the last two contact times and is slow.
     #[must_use]
     pub fn contact(&self, ball: usize) -> Contact {
-        let touched = &self.touched[ball];
-        let lasting = touched.time[0] >= self.clock - 2.0 * CONTACT_TIME
-            && self.flights[ball].next.time.is_finite();
-        let again = self.flights[ball].next.partner == touched.what[0]
-            && self.flights[ball].next.time - touched.time[0] <= 2.0 * CONTACT_TIME;
-        match touched.what[0] {
-            Partner::Ball(other) if lasting && again => Contact::Resting { on: other as usize },
-            Partner::Cushion(cushion) if lasting && again => Contact::RestingOnCushion {
+        let next = &self.flights[ball].next;
+        let Some((what, time)) = self.touched[ball].list().next() else {
+            return Contact::Free;
+        };
+        let soon = |later: f64| later - time <= 2.0 * CONTACT_TIME;
+        if next.partner != Partner::from(what) || !soon(self.clock) || !soon(next.time) {
+            return Contact::Free;
+        }
+        match what {
+            Other::Ball(other) => Contact::Resting { on: other as usize },
+            Other::Cushion(cushion) => Contact::RestingOnCushion {
                 cushion: cushion as usize,
             },
-            _ => Contact::Free,
         }
     }
 

@@ -2,39 +2,25 @@
 
 use glam::{DVec2, DVec3};
 
-use crate::physics::ball::{Ball, State};
+use crate::physics::exact::SolveError;
 use crate::physics::exact::cells::Neighbours;
 use crate::physics::exact::engine::Engine;
 use crate::physics::exact::predict::Partner;
-use crate::physics::exact::walls::{Area, Wall, Walls};
-use crate::physics::exact::{DEEP, SolveError};
-use crate::physics::laws::cluster::{Against, Member, TOUCH, Touching};
+use crate::physics::exact::walls::{Area, Wall};
+use crate::physics::laws::cluster::{DEEP, Member, TOUCH, reach_of, touches};
 use crate::physics::laws::pocket::PocketLaw;
-use crate::physics::table::{Cushion, Nose, Pocket};
+use crate::physics::table::Pocket;
 
 impl Engine {
     /// Adds a ball to the cluster and returns its place.
     pub(super) fn join(&mut self, ball: usize) -> usize {
-        if let Some(place) = self
-            .cluster
-            .members
-            .iter()
-            .position(|member| member.ball == ball)
-        {
-            return place;
-        }
-        self.cluster.members.push(Member {
-            ball,
-            body: self.bodies[ball],
-            state: self.state(ball),
-        });
-        self.cluster.members.len() - 1
+        let state = self.state(ball);
+        self.cluster.join(ball, self.bodies[ball], state)
     }
 
     pub(super) fn touch_balls(&mut self, first: usize, second: usize) -> Result<(), SolveError> {
+        let overlap = self.cluster.touch_ball(first, second);
         let (one, two) = (&self.cluster.members[first], &self.cluster.members[second]);
-        let offset = two.state.position - one.state.position;
-        let overlap = one.body.radius + two.body.radius - offset.length();
         if overlap > DEEP && !self.is_at_pocket(one.state.position) {
             return Err(SolveError::Overlap {
                 ball: self.names[one.ball].clone(),
@@ -43,23 +29,6 @@ impl Engine {
                 overlap,
             });
         }
-        // Divided, not multiplied by the reciprocal: a row along an axis has exactly that axis for its normals.
-        let flies = one.state.motion.flies() || two.state.motion.flies();
-        let flat = if flies {
-            offset
-        } else {
-            DVec3::new(offset.x, 0.0, offset.z)
-        };
-        let normal = flat / flat.length();
-        self.cluster.contacts.push(Touching {
-            first,
-            against: Against::Ball { member: second },
-            normal,
-            nose_height: 0.0,
-            nose: Nose::Wall,
-            restitution: None,
-            impulse: 0.0,
-        });
         Ok(())
     }
 
@@ -71,26 +40,16 @@ impl Engine {
         self.laws.pocket != PocketLaw::Capture && self.table.pockets.iter().any(is_near)
     }
 
-    /// Distance in plan from a nose line at which a ball touches it, at the height at which it is; -1 for one that
-    /// passes over it.
-    fn reach_of(&self, body: &Ball, state: &State) -> f64 {
-        let table = &self.table;
-        if !state.motion.flies() {
-            return table.reach(body.radius);
-        }
-        let (nose, height) = (&table.nose, table.nose_height);
-        nose.reach_at(height, body.radius, state.position.y)
-            .unwrap_or(-1.0)
-    }
-
     pub(super) fn touch_cushion(&mut self, first: usize, cushion: u32) -> Result<(), SolveError> {
+        let overlap = self
+            .cluster
+            .touch_cushion(&self.laws, &self.table, first, cushion as usize);
         let member = &self.cluster.members[first];
-        let position = member.state.position;
-        let (distance, direction) =
-            Walls::gap(&self.table, cushion, DVec2::new(position.x, position.z));
-        let overlap = self.reach_of(&member.body, &member.state) - distance;
         // In flight the ends of noses count, which balls on the slate pass by: such an overlap is pushed apart.
-        if overlap > DEEP && !member.state.motion.flies() && !self.is_at_pocket(position) {
+        if overlap > DEEP
+            && !member.state.motion.flies()
+            && !self.is_at_pocket(member.state.position)
+        {
             return Err(SolveError::Overlap {
                 ball: self.names[member.ball].clone(),
                 other: format!("cushion {cushion}"),
@@ -98,25 +57,6 @@ impl Engine {
                 overlap,
             });
         }
-        let index = cushion as usize;
-        let mut normal = -DVec3::new(direction.x, 0.0, direction.y);
-        if member.state.motion.flies() {
-            let (nose, height) = (&self.table.nose, self.table.nose_height);
-            normal = -nose.normal(-normal, height, distance, position.y);
-        }
-        self.cluster.contacts.push(Touching {
-            first,
-            against: Against::Cushion { cushion: index },
-            normal,
-            nose_height: self.laws.cushion.nose_height(
-                self.table.nose_height,
-                &member.body,
-                &self.table.cushions[index],
-            ),
-            nose: self.table.nose,
-            restitution: None,
-            impulse: 0.0,
-        });
         Ok(())
     }
 
@@ -170,7 +110,8 @@ impl Engine {
         partner: Partner,
     ) -> Result<(), SolveError> {
         let member = &self.cluster.members[place];
-        let (ball, reach) = (member.ball, self.reach_of(&member.body, &member.state));
+        let reach = reach_of(&self.table, &member.body, &member.state);
+        let ball = member.ball;
         let point = DVec2::new(member.state.position.x, member.state.position.z);
         let here = Area {
             least: point,
@@ -195,23 +136,10 @@ impl Engine {
             if !area.meets(&here) || (place == 0 && partner == Partner::Cushion(cushion)) {
                 continue;
             }
-            if self.touches(cushion, point, reach) {
+            if touches(&self.table.cushions[cushion as usize], point, reach) {
                 self.touch_cushion(place, cushion)?;
             }
         }
         Ok(())
-    }
-
-    /// Whether a ball touches a cushion; a line has no end caps.
-    pub(super) fn touches(&self, cushion: u32, point: DVec2, reach: f64) -> bool {
-        let (distance, _) = Walls::gap(&self.table, cushion, point);
-        let beside = match &self.table.cushions[cushion as usize] {
-            Cushion::Line(line) => {
-                let along = line.to - line.from;
-                (0.0..=along.length_squared()).contains(&(point - line.from).dot(along))
-            }
-            Cushion::Arc(_) => true,
-        };
-        beside && distance <= reach + TOUCH && distance > reach - DEEP
     }
 }

@@ -4,10 +4,9 @@ use crate::physics::exact::cells::Cells;
 use crate::physics::exact::engine::Engine;
 use crate::physics::exact::flight::Flight;
 use crate::physics::exact::queue::Queue;
-use crate::physics::exact::touched::Touched;
 use crate::physics::exact::walls::Walls;
 use crate::physics::exact::{Limits, SolveError};
-use crate::physics::laws::cluster::{Cluster, TOUCH};
+use crate::physics::laws::cluster::{Cluster, TOUCH, Touched};
 use crate::physics::record::PathPiece;
 use crate::physics::scene::Scene;
 
@@ -82,9 +81,6 @@ impl Engine {
             happened: 0,
             limits,
             cluster: Cluster::default(),
-            before: Vec::new(),
-            parting: Vec::new(),
-            lasting: Vec::new(),
             near: Vec::new(),
             everyone,
         };

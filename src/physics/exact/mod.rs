@@ -11,11 +11,9 @@
 //! Phys. 34 (1980) 184; Lubachevsky, J. Comput. Phys. 94 (1991) 255; Marín, Risso & Cordero, J. Comput. Phys. 109 (1993)
 //! 306. Touching bodies are resolved together by [`crate::physics::laws::cluster`].
 //!
-//! **Lasting contact.** A ball that is pressed against a cushion or another ball by the friction under it would bounce
-//! ever more often. Two rules end that. A contact that closes at less than [`SLOW`] less than [`CONTACT_TIME`] after the same
-//! two touched loses nothing (the TC model of Luding et al., Granular Matter 1 (1998) 113), and a contact that is
-//! pressed together by a parts with at least a [`CONTACT_TIME`] / 2. So two that rest against each other touch once every
-//! [`CONTACT_TIME`] at most, with gaps of some micrometres; the pair is then in [`Contact::Resting`].
+//! **Lasting contact.** A ball that is pressed against a cushion or another ball touches it once every
+//! [`CONTACT_TIME`](crate::physics::laws::cluster::CONTACT_TIME) at most, by the rules of
+//! [`Cluster::collide`](crate::physics::laws::cluster::Cluster::collide); the pair is then in [`Contact::Resting`].
 //!
 //! **How long it is the truth.** A direction error grows by d / (2R cos c) − 1 a hit over a distance d at cut c: about 3 at
 //! 0.2 m, 19 at 1 m, half a digit to a digit and a half. The 16 digits of f64 last some 12 long hits, or 60 to 100
@@ -33,7 +31,6 @@ mod predict;
 mod queue;
 mod recorder;
 mod saved;
-mod touched;
 mod walls;
 
 pub use engine::Engine;
@@ -46,16 +43,6 @@ use crate::physics::ball::State;
 use crate::physics::record::{EndReason, Record};
 use crate::physics::roots::RootError;
 use crate::physics::scene::{Scene, SceneError};
-
-/// Two contacts of the same two within this time in s are one lasting contact. Cushions hold a ball for about 8 ms
-/// (Sudo & Shibata 2002), balls touch for about 0.3 ms.
-pub const CONTACT_TIME: f64 = 1e-3;
-
-/// Closing speed in m/s below which two contacts soon after each other are one lasting contact.
-pub const SLOW: f64 = 5e-3;
-
-/// Overlap in m at an impact that is beyond rounding.
-pub const DEEP: f64 = 1e-6;
 
 /// When to give up.
 #[derive(Clone, Copy, Debug, PartialEq)]

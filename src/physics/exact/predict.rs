@@ -7,6 +7,7 @@ use crate::physics::exact::engine::Engine;
 use crate::physics::exact::flight::Glide;
 use crate::physics::exact::walls::{Area, Wall};
 use crate::physics::exact::{SolveError, Watch};
+use crate::physics::laws::cluster::Other;
 use crate::physics::record::{Event, EventKind, Participant};
 use crate::physics::roots::{RootError, quadratic};
 use crate::physics::table::Cushion;
@@ -24,6 +25,15 @@ pub(super) enum Partner {
     Landing(Landing),
     /// The ball enters this cell.
     Cell(u32),
+}
+
+impl From<Other> for Partner {
+    fn from(other: Other) -> Self {
+        match other {
+            Other::Ball(ball) => Self::Ball(ball),
+            Other::Cushion(cushion) => Self::Cushion(cushion),
+        }
+    }
 }
 
 /// An event to come.

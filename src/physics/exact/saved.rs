@@ -5,8 +5,8 @@ use serde::{Deserialize, Serialize};
 use crate::physics::ball::State;
 use crate::physics::exact::flight::Flight;
 use crate::physics::exact::predict::{Next, Partner};
-use crate::physics::exact::touched::Touched;
 use crate::physics::exact::{Engine, Limits, SolveError};
+use crate::physics::laws::cluster::{Other, Touched};
 use crate::physics::record::PathPiece;
 use crate::physics::scene::Scene;
 
@@ -30,7 +30,7 @@ struct SavedBall {
     next: Option<(f64, Partner, u32)>,
     count: u32,
     cell: Option<u32>,
-    touched: Vec<(Partner, f64)>,
+    touched: Vec<(Other, f64)>,
 }
 
 impl Engine {
@@ -40,7 +40,6 @@ impl Engine {
         let balls = (0..self.count())
             .map(|ball| {
                 let next = self.flights[ball].next;
-                let touched = self.touched[ball];
                 let path = self.path(ball);
                 SavedBall {
                     since: path.time,
@@ -51,12 +50,7 @@ impl Engine {
                         .then_some((next.time, next.partner, next.count)),
                     count: self.flights[ball].count,
                     cell: self.cells.as_ref().map(|cells| cells.cell_of[ball]),
-                    touched: touched
-                        .what
-                        .into_iter()
-                        .zip(touched.time)
-                        .filter(|(what, _)| *what != Partner::Nothing)
-                        .collect(),
+                    touched: self.touched[ball].list().collect(),
                 }
             })
             .collect();
@@ -103,12 +97,7 @@ impl Engine {
                 };
                 engine.queue.set(index, time);
             }
-            let mut touched = Touched::NOTHING;
-            for (place, (what, time)) in ball.touched.iter().take(4).enumerate() {
-                touched.what[place] = *what;
-                touched.time[place] = *time;
-            }
-            engine.touched[index] = touched;
+            engine.touched[index] = Touched::from_list(&ball.touched);
             if let Some(cells) = &mut engine.cells {
                 cells.remove(index as u32);
                 if let Some(cell) = ball.cell.filter(|cell| *cell != u32::MAX) {

@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use crate::physics::contact::Track;
-use crate::physics::table::{Cushion, Table};
+use crate::physics::table::Table;
 
 /// A box in plan.
 #[derive(Clone, Copy, Debug)]
@@ -129,12 +129,6 @@ impl Walls {
     /// Whether a path with this box touches nothing.
     pub(super) fn is_open(&self, path: &Area) -> bool {
         self.open.holds(path)
-    }
-
-    /// The nearest nose of a cushion to a point: distance of its centre line and direction from the nose.
-    pub(super) fn gap(table: &Table, cushion: u32, point: DVec2) -> (f64, DVec2) {
-        let cushion: &Cushion = &table.cushions[cushion as usize];
-        cushion.nearest(point)
     }
 }
 

@@ -11,7 +11,7 @@ use crate::physics::scene::Solver;
 use crate::sim::SimSystems;
 use crate::sim::clock::Clock;
 use crate::sim::components::{AngularVelocity, BallIndex, MotionKind, Position, Velocity};
-use crate::sim::messages::{Failed, MotionChanged, PathTurned, Pocketed, Touched};
+use crate::sim::messages::{Failed, MotionChanged, PathTurned, Pocketed, Struck, Touched};
 use crate::sim::playfield::{BallQuery, Playfield, snapshot};
 
 /// The engine of the present shot.
@@ -61,14 +61,22 @@ impl Watch for Heard {
     }
 }
 
-/// Gives the balls as they are to a new engine.
+/// Gives the balls as they are to a new engine; what is frozen to a ball that was just struck goes along with it.
 fn begin(
     mut live: ResMut<LiveEngine>,
     mut heard: ResMut<Heard>,
+    mut struck: MessageReader<Struck>,
     playfield: Res<Playfield>,
     balls: BallQuery,
 ) {
+    let struck = struck.read().last().map(|struck| struck.0.first.ball);
     let engine = Engine::new(&snapshot(&playfield, &balls), Limits::default());
+    let engine = engine.and_then(|mut engine| {
+        if let Some(ball) = struck {
+            engine.push_off(ball, &mut *heard)?;
+        }
+        Ok(engine)
+    });
     live.0 = engine
         .map_err(|error| heard.failure.get_or_insert(error).clone())
         .ok();

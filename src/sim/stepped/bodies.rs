@@ -5,6 +5,7 @@ use glam::DVec2;
 
 use crate::physics::ball::{Ball, State};
 use crate::physics::contact::Track;
+use crate::physics::laws::cluster::{Other, TOUCH, Touched};
 use crate::physics::laws::motion::Piece;
 use crate::physics::scene::{Solver, Stepped};
 use crate::sim::clock::Clock;
@@ -77,9 +78,8 @@ impl Body {
         let plan = |v: glam::DVec3| DVec2::new(v.x, v.z);
         let from = plan(track.position);
         let to = from + left * plan(track.velocity);
-        // The bend of the path, and a margin for rounding.
-        let margin =
-            self.ball.radius * (1.0 + 1e-9) + 0.5 * left * left * track.acceleration.length();
+        // The bend of the path, and room for what counts as touching.
+        let margin = self.ball.radius + TOUCH + 0.5 * left * left * track.acceleration.length();
         (
             from.min(to) - DVec2::splat(margin),
             from.max(to) + DVec2::splat(margin),
@@ -91,6 +91,8 @@ impl Body {
 #[derive(Resource, Debug, Default)]
 pub struct Bodies {
     pub(super) all: Vec<Body>,
+    /// What each of them has touched lately, by the time of the shot.
+    pub(super) touched: Vec<Touched>,
     /// Length of the tick, s.
     pub(super) tick: f64,
     /// Shot time at the start of the tick, s.
@@ -100,6 +102,19 @@ pub struct Bodies {
 }
 
 impl Bodies {
+    /// What each ball has touched lately, by the time of the shot.
+    #[must_use]
+    pub fn memory(&self) -> Vec<Vec<(Other, f64)>> {
+        let lists = self.touched.iter();
+        lists.map(|touched| touched.list().collect()).collect()
+    }
+
+    /// Takes up what [`Self::memory`] gave.
+    pub fn remember(&mut self, memory: &[Vec<(Other, f64)>]) {
+        let lists = memory.iter();
+        self.touched = lists.map(|list| Touched::from_list(list)).collect();
+    }
+
     /// The latest time of the tick at which a contact found at `time` may lie.
     pub(super) fn horizon(&self, time: f64) -> f64 {
         if self.locate { self.tick } else { time }
@@ -147,4 +162,9 @@ pub(super) fn gather(
         },
     ));
     bodies.all.sort_unstable_by_key(|body| body.index);
+    let count = bodies.all.len();
+    if clock.ticks == 0 || bodies.touched.len() != count {
+        bodies.touched.clear();
+        bodies.touched.resize(count, Touched::NOTHING);
+    }
 }

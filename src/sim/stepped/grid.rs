@@ -8,6 +8,7 @@
 use bevy::prelude::*;
 use glam::DVec2;
 
+use crate::physics::laws::cluster::TOUCH;
 use crate::physics::scene::{Solver, Stepped};
 use crate::physics::table::Table;
 use crate::sim::playfield::Playfield;
@@ -247,7 +248,7 @@ impl Grid {
         let count = cells[0] as usize * cells[1] as usize;
         self.cushions.reset(count);
         self.pockets.reset(count);
-        let reach = DVec2::splat(radius * (1.0 + 1e-9));
+        let reach = DVec2::splat(radius + TOUCH);
         for (index, cushion) in table.cushions.iter().enumerate() {
             let (least, most) = cushion.bounds();
             for (column, row) in self.range(cells, (least - reach, most + reach)).cells() {

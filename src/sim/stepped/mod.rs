@@ -5,7 +5,8 @@
 //!
 //! Free motion inside a tick is the closed form of the motion law, so a lone ball is exact at any tick. A contact is
 //! located inside the tick and resolved from the positions at that time. The coursework's way (`locate: false`) resolves
-//! balls where the tick has left them, overlapped.
+//! balls where the tick has left them, overlapped, pair by pair. Located contacts are resolved together with everything that
+//! touches, and contacts that last by the same rules as in the exact solver.
 //!
 //! Which scenes go where: with [`crate::physics::scene::Stepped::crowd`] equal balls on the slate of a table without
 //! pockets, thousands to a million, are worked on by [`crowd`], counted and not recorded. Everything else, with balls of
@@ -18,11 +19,13 @@ mod contacts;
 pub mod crowd;
 mod friction;
 mod grid;
+mod impact;
 mod movement;
 mod resolve;
 #[cfg(test)]
 mod tests;
 
+pub use bodies::Bodies;
 pub use grid::Grid;
 
 use bevy::ecs::schedule::{ScheduleLabel, SingleThreadedExecutor};

@@ -6,12 +6,13 @@ use crate::physics::airborne;
 use crate::physics::ball::State;
 use crate::physics::laws::ball_ball::PairContact;
 use crate::physics::record::{Event, EventKind, Participant, PathPiece};
-use crate::sim::messages::{Failed, MotionChanged, PathTurned, Pocketed, Touched};
+use crate::sim::messages::{Failed, MotionChanged, PathTurned, Pocketed, Struck, Touched};
 use crate::sim::playfield::Playfield;
 use crate::sim::stepped::bodies::Bodies;
 use crate::sim::stepped::collide_cushions;
 use crate::sim::stepped::contacts::{Contact, Contacts, Kind};
 use crate::sim::stepped::grid::Grid;
+use crate::sim::stepped::impact::Impact;
 
 /// Impacts of one ball in one tick after which its contacts no longer bounce (e = 0): a row of balls that rattles
 /// between neighbours comes to rest against them instead of colliding for ever.
@@ -34,10 +35,34 @@ pub(super) fn resolve(
     mut changed: MessageWriter<MotionChanged>,
     mut turned: MessageWriter<PathTurned>,
     mut failed: MessageWriter<Failed>,
+    mut struck: MessageReader<Struck>,
+    mut impact: Local<Impact>,
 ) {
-    while let Some(contact) = contacts.next(&bodies) {
-        let event = happen(&mut bodies, &playfield, &contact);
-        for ball in [Some(contact.ball), other(&contact)].into_iter().flatten() {
+    let struck = struck.read().last().map(|struck| struck.0.first.ball);
+    let mut push = struck.filter(|_| bodies.locate && bodies.start == 0.0);
+    loop {
+        impact.clear();
+        let time = if let Some(index) = push.take() {
+            if let Some(ball) = bodies.all.iter().position(|body| body.index == index) {
+                impact.push_off(&mut bodies, &grid, &playfield, ball);
+            }
+            0.0
+        } else if let Some(contact) = contacts.next(&bodies) {
+            let meets = matches!(contact.kind, Kind::Ball(..) | Kind::Cushion(_));
+            if meets && bodies.locate {
+                impact.meet(&mut bodies, &grid, &playfield, &contact);
+            } else {
+                impact
+                    .events
+                    .push(happen(&mut bodies, &playfield, &contact));
+                impact.changed.push(contact.ball);
+                impact.changed.extend(other(&contact));
+            }
+            contact.time
+        } else {
+            break;
+        };
+        for &ball in &impact.changed {
             let body = &bodies.all[ball];
             turned.write(PathTurned {
                 ball: body.index,
@@ -47,28 +72,23 @@ pub(super) fn resolve(
                 },
             });
         }
-        for ball in [Some(contact.ball), other(&contact)].into_iter().flatten() {
-            grid.list(&mut bodies, ball, contact.time);
+        for &ball in &impact.changed {
+            grid.list(&mut bodies, ball, time);
         }
-        for ball in [Some(contact.ball), other(&contact)].into_iter().flatten() {
-            look_ahead(
-                &grid,
-                &bodies,
-                &mut contacts,
-                &playfield,
-                ball,
-                contact.time,
-            );
+        for &ball in &impact.changed {
+            look_ahead(&grid, &bodies, &mut contacts, &playfield, ball, time);
         }
-        match event.kind {
-            EventKind::Pocketed { .. } => {
-                pocketed.write(Pocketed(event));
-            }
-            EventKind::Motion { .. } => {
-                changed.write(MotionChanged(event));
-            }
-            _ => {
-                touched.write(Touched(event));
+        for event in impact.events.drain(..) {
+            match event.kind {
+                EventKind::Pocketed { .. } => {
+                    pocketed.write(Pocketed(event));
+                }
+                EventKind::Motion { .. } => {
+                    changed.write(MotionChanged(event));
+                }
+                _ => {
+                    touched.write(Touched(event));
+                }
             }
         }
     }

@@ -3,12 +3,11 @@
 mod clusters;
 mod flight;
 mod free_paths;
-mod grazing;
+
 mod impacts;
 mod live;
 mod pockets;
 mod random_shots;
-mod resting;
 
 use glam::DVec3;
 
@@ -83,40 +82,4 @@ pub fn energy(scene: &Scene, record: &Record, time: f64) -> f64 {
             body.kinetic_energy(&state) + body.mass * 9.81 * (state.position.y - body.radius)
         })
         .sum()
-}
-
-/// Asserts that no event adds energy beyond this share, and that no two balls overlap at any event by more than 1e-9 m.
-#[track_caller]
-pub fn audit(scene: &Scene, record: &Record, share: f64) {
-    let start = energy(scene, record, 0.0);
-    let mut last = f64::INFINITY;
-    for event in &record.events {
-        let now = energy(scene, record, event.time);
-        assert!(
-            now <= last + share * start,
-            "energy rises from {last} to {now} J at {} s: {:?}",
-            event.time,
-            event.kind
-        );
-        last = now;
-        for one in 0..scene.balls.len() {
-            for two in 0..one {
-                let (a, b) = (
-                    record.state_at(one, event.time),
-                    record.state_at(two, event.time),
-                );
-                if a.motion.in_play() && b.motion.in_play() {
-                    let gap = (a.position - b.position).length()
-                        - scene.balls[one].ball.radius
-                        - scene.balls[two].ball.radius;
-                    assert!(
-                        gap > -1e-9,
-                        "balls {one} and {two} overlap by {} m at {} s",
-                        -gap,
-                        event.time
-                    );
-                }
-            }
-        }
-    }
 }

@@ -44,11 +44,14 @@ impl PairContact {
             offset.y = 0.0;
             approach.y = 0.0;
         }
-        // Where a tick is not searched for contacts two centres can coincide: then the balls meet head-on.
-        let normal = offset
-            .try_normalize()
-            .or_else(|| approach.try_normalize())
-            .unwrap_or(DVec3::X);
+        // Divided, not multiplied by the reciprocal: a row along an axis has exactly that axis for its normals. Where a tick
+        // is not searched for contacts two centres can coincide: then the balls meet head-on.
+        let distance = offset.length();
+        let normal = if distance > 0.0 {
+            offset / distance
+        } else {
+            approach.try_normalize().unwrap_or(DVec3::X)
+        };
         Self {
             normal,
             on_slate,

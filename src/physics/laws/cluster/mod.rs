@@ -2,9 +2,13 @@
 
 mod complementarity;
 mod friction;
+mod lasting;
 mod smith_2012;
+mod touching;
 
+pub use lasting::{CONTACT_TIME, Other, SLOW, Touched};
 pub use smith_2012::{Cluster, ROUNDS};
+pub use touching::{DEEP, reach_of, touches};
 
 use glam::DVec3;
 
@@ -44,6 +48,8 @@ pub struct Touching {
     pub against: Against,
     /// Unit vector from the ball to what it touches; horizontal for balls on the slate.
     pub normal: DVec3,
+    /// For a cushion the horizontal unit vector from the nose to the ball.
+    pub away: DVec3,
     /// Height of the nose in m, for a cushion.
     pub nose_height: f64,
     /// Profile of the nose.

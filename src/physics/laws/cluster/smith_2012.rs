@@ -7,7 +7,7 @@
 //! law, friction and all. Where contacts share a ball, friction of each follows its law for the impulse it
 //! transmits and the slip before the round, and is scaled back if together they would add energy.
 //!
-//! After [`ROUNDS`] rounds the rest of the closing speeds is taken out at once without rebound: inelastic collapse
+//! After [`ROUNDS`] rounds or more the rest of the closing speeds is taken out at once without rebound: inelastic collapse
 //! within the instant.
 //!
 //! Source: Smith, Kaufman, Vouga, Tamstorf & Grinspun, "Reflections on simultaneous impact", ACM Trans. Graph. 31
@@ -16,13 +16,14 @@
 
 use glam::DVec3;
 
+use crate::physics::ball::State;
 use crate::physics::laws::Laws;
 use crate::physics::laws::ball_ball::PairContact;
 use crate::physics::laws::cluster::complementarity::Complementarity;
 use crate::physics::laws::cluster::{Against, Blow, Member, STILL, Touching};
 use crate::physics::laws::cushion::CushionContact;
 
-/// Rounds of one impact before what is left is settled.
+/// Rounds of one impact of up to half as many balls before what is left is settled; of more balls, two a ball.
 pub const ROUNDS: usize = 48;
 
 /// A set of touching balls. Lists are kept between impacts, so that resolving one allocates nothing once warm.
@@ -32,6 +33,10 @@ pub struct Cluster {
     pub members: Vec<Member>,
     /// Their contacts.
     pub contacts: Vec<Touching>,
+    /// The states of the members before the last [`Cluster::collide`].
+    pub before: Vec<State>,
+    pub(super) lasting: Vec<bool>,
+    pub(super) parting: Vec<f64>,
     pub(super) system: Complementarity,
     active: Vec<usize>,
     group: Vec<usize>,
@@ -69,7 +74,8 @@ impl Cluster {
             }
             self.reflect(laws, &[], true, true);
         }
-        for _ in 0..ROUNDS {
+        // A blow takes a round for each ball of a row that it runs through.
+        for _ in 0..ROUNDS.max(2 * self.members.len()) {
             self.active.clear();
             for index in 0..self.contacts.len() {
                 if self.closing(&self.contacts[index]) > STILL {
@@ -155,9 +161,8 @@ impl Cluster {
                 outcome.impulse
             }
             Against::Cushion { .. } => {
-                let away = -contact.normal;
                 let geometry = CushionContact {
-                    normal: DVec3::new(away.x, 0.0, away.z).normalize_or_zero(),
+                    normal: contact.away,
                     nose_height: contact.nose_height,
                     nose: contact.nose,
                     restitution,

@@ -1,0 +1,195 @@
+//! Impacts with what touches: the same clusters as the exact solver resolves.
+
+use glam::DVec2;
+
+use crate::physics::laws::cluster::{
+    Against, Blow, Cluster, Member, Other, TOUCH, Touching, reach_of, touches,
+};
+use crate::physics::record::{Event, EventKind, Participant};
+use crate::sim::playfield::Playfield;
+use crate::sim::stepped::bodies::Bodies;
+use crate::sim::stepped::contacts::{Contact, Kind};
+use crate::sim::stepped::grid::Grid;
+use crate::sim::stepped::resolve::BOUNCES;
+
+/// What happened at one moment; its lists are kept from impact to impact.
+#[derive(Debug, Default)]
+pub(super) struct Impact {
+    cluster: Cluster,
+    near: Vec<usize>,
+    /// The events of this moment.
+    pub events: Vec<Event>,
+    /// The balls that are on new paths, those first that met.
+    pub changed: Vec<usize>,
+}
+
+impl Impact {
+    /// Forgets the last moment.
+    pub fn clear(&mut self) {
+        self.cluster.clear();
+        self.events.clear();
+        self.changed.clear();
+    }
+
+    /// A ball meets another, or a cushion, at its time of the tick.
+    pub fn meet(
+        &mut self,
+        bodies: &mut Bodies,
+        grid: &Grid,
+        playfield: &Playfield,
+        contact: &Contact,
+    ) {
+        self.join(bodies, contact.ball, contact.time);
+        self.changed.push(contact.ball);
+        match contact.kind {
+            Kind::Ball(other, _) => {
+                self.join(bodies, other, contact.time);
+                self.changed.push(other);
+                self.cluster.touch_ball(0, 1);
+            }
+            Kind::Cushion(cushion) => {
+                let (laws, table) = (&playfield.laws, &playfield.table);
+                self.cluster.touch_cushion(laws, table, 0, cushion);
+            }
+            _ => {}
+        }
+        self.resolve(
+            bodies,
+            grid,
+            playfield,
+            (Blow::Impact, contact.time, contact.kind),
+        );
+    }
+
+    /// A ball has been struck at the start of the tick: what is frozen to it goes along.
+    pub fn push_off(
+        &mut self,
+        bodies: &mut Bodies,
+        grid: &Grid,
+        playfield: &Playfield,
+        ball: usize,
+    ) {
+        self.join(bodies, ball, 0.0);
+        self.resolve(bodies, grid, playfield, (Blow::Stroke, 0.0, Kind::Change));
+    }
+
+    fn join(&mut self, bodies: &Bodies, ball: usize, time: f64) -> usize {
+        let body = &bodies.all[ball];
+        self.cluster.join(ball, body.ball, body.at(time))
+    }
+
+    fn resolve(
+        &mut self,
+        bodies: &mut Bodies,
+        grid: &Grid,
+        playfield: &Playfield,
+        (blow, time, kind): (Blow, f64, Kind),
+    ) {
+        self.gather(bodies, grid, playfield, (time, kind));
+        for contact in &mut self.cluster.contacts {
+            let ball = self.cluster.members[contact.first].ball;
+            let other = match contact.against {
+                Against::Ball { member } => self.cluster.members[member].ball,
+                Against::Cushion { .. } => ball,
+            };
+            let impacts = bodies.all[ball].impacts.max(bodies.all[other].impacts);
+            contact.restitution = (impacts >= BOUNCES).then_some(0.0);
+        }
+        let (laws, table) = (&playfield.laws, &playfield.table);
+        let (touched, now) = (&bodies.touched, bodies.start + time);
+        let age = |ball: usize, other: Other| now - touched[ball].last(other);
+        self.cluster.collide(laws, table, blow, age);
+        for (member, before) in self.cluster.members.iter().zip(&self.cluster.before) {
+            let Member { ball, state, .. } = member;
+            if state != before && !self.changed.contains(ball) {
+                self.changed.push(*ball);
+            }
+            if self.changed.contains(ball) {
+                bodies.all[*ball].follow(playfield, state, time);
+            }
+        }
+        for index in 0..self.cluster.contacts.len() {
+            let contact = self.cluster.contacts[index];
+            if contact.impulse > 0.0 || (index == 0 && blow == Blow::Impact) {
+                self.report(bodies, &contact, now);
+            }
+        }
+    }
+
+    /// Adds everything that touches the members, and what touches that.
+    fn gather(
+        &mut self,
+        bodies: &Bodies,
+        grid: &Grid,
+        playfield: &Playfield,
+        (time, kind): (f64, Kind),
+    ) {
+        let (laws, table) = (&playfield.laws, &playfield.table);
+        let mut place = 0;
+        while place < self.cluster.members.len() {
+            let Member { ball, body, state } = self.cluster.members[place];
+            self.near.clear();
+            grid.neighbours(bodies, ball, |other| {
+                let there = &bodies.all[other];
+                let reach = body.radius + there.ball.radius + TOUCH;
+                let offset = there.piece.position(time - there.since) - state.position;
+                if there.is_in_play() && offset.length_squared() <= reach * reach {
+                    self.near.push(other);
+                }
+            });
+            // Cells list their balls in any order.
+            self.near.sort_unstable();
+            for index in 0..self.near.len() {
+                let joined = self.join(bodies, self.near[index], time);
+                let known = place == 0 && joined == 1 && matches!(kind, Kind::Ball(..));
+                if joined > place && !known {
+                    self.cluster.touch_ball(place, joined);
+                }
+            }
+            self.near.clear();
+            let point = DVec2::new(state.position.x, state.position.z);
+            let reach = reach_of(table, &body, &state);
+            grid.cushions(table, &bodies.all[ball].cells, |cushion| {
+                let met = place == 0 && kind == Kind::Cushion(cushion);
+                if !met && touches(&table.cushions[cushion], point, reach) {
+                    self.near.push(cushion);
+                }
+            });
+            self.near.sort_unstable();
+            self.near.dedup();
+            for index in 0..self.near.len() {
+                let cushion = self.near[index];
+                self.cluster.touch_cushion(laws, table, place, cushion);
+            }
+            place += 1;
+        }
+    }
+
+    fn report(&mut self, bodies: &mut Bodies, contact: &Touching, time: f64) {
+        let participant = |place: usize| Participant {
+            ball: bodies.all[self.cluster.members[place].ball].index,
+            before: self.cluster.before[place],
+            after: self.cluster.members[place].state,
+        };
+        let first = participant(contact.first);
+        let (kind, second) = match contact.against {
+            Against::Ball { member } => (EventKind::BallBall, Some(participant(member))),
+            Against::Cushion { cushion } => (EventKind::Cushion { cushion }, None),
+        };
+        let other = self.cluster.other(contact);
+        let ball = self.cluster.members[contact.first].ball;
+        bodies.touched[ball].add(other, time);
+        bodies.all[ball].impacts += 1;
+        if let Other::Ball(other) = other {
+            bodies.touched[other as usize].add(Other::Ball(ball as u32), time);
+            bodies.all[other as usize].impacts += 1;
+        }
+        self.events.push(Event {
+            time,
+            kind,
+            first,
+            second,
+            impulse: contact.impulse,
+        });
+    }
+}
