@@ -1,5 +1,5 @@
 //! H1: rows that collapse. Inelastic balls in a row against a wall would meet infinitely often in finite time: N balls
-//! do so below e = tan²[(π/4)(1 − 1/N)] (McNamara & Young 1992), 5 of them at 0.5.
+//! do so below e = tan²[(π/4)(1 − 1/N)] (after `McNamara` and Young 1992), 5 of them at 0.5.
 
 use glam::DVec3;
 
