@@ -4,6 +4,7 @@ mod judge;
 mod list;
 mod picture;
 mod play;
+mod report;
 mod run;
 mod simulate;
 mod solve;
@@ -23,6 +24,7 @@ use crate::report::record_file::RecordFileError;
 use crate::scenarios::file::FileError;
 use crate::scenarios::library::OpenError;
 use judge::JudgeOptions;
+use report::ReportOptions;
 use run::RunOptions;
 use solve::SolveOptions;
 
@@ -46,6 +48,7 @@ use solve::SolveOptions;
         masse picture my.jsonl my.svg                draw a run that was written, without running it again\n  \
         masse write gas gas.ron                      write a scene out in full, to change it\n  \
         masse judge                                  every law beside closed forms and experiments\n  \
+        masse report --quick                         what each solver costs, and how far it is off\n  \
         masse write snooker my-table.ron             copy a preset, with the sources of its numbers\n  \
         masse play --preset my-table.ron             play with it; the game follows every change of the file\n  \
         masse run throw --preset heated_carom -q     the same shot with other equipment\n\n\
@@ -58,7 +61,7 @@ use solve::SolveOptions;
         EXIT CODES\n  \
         0  done\n  \
         1  `masse judge`: an exact judge misses; `masse run`: an expectation of the scene is missed;\n  \
-           `masse solve`: nothing that meets them was found\n  \
+           `masse solve`: nothing that meets them was found; `masse report`: a solver converges slower than demanded\n  \
         2  bad input: the message names the file, the place in it and the value; nothing is written\n  \
         3  a file cannot be written\n  \
         4  the solver could not finish the scene"
@@ -92,6 +95,8 @@ enum Command {
     },
     /// Compare every law with closed forms and with experiments: tables and pictures
     Judge(JudgeOptions),
+    /// Measure speed against error of every solver: tables and pictures
+    Report(ReportOptions),
     /// Name the scenes, presets and cloths that are built in
     List,
     /// Write out a scene in full, or a preset or a cloth with the sources of its numbers, to change it
@@ -166,6 +171,7 @@ pub fn main() -> ExitCode {
             picture::draw(&record, &file).map(|()| ExitCode::SUCCESS)
         }
         Some(Command::Judge(options)) => judge::run(&options),
+        Some(Command::Report(options)) => report::run(&options),
         Some(Command::List) => list::list().map(|()| ExitCode::SUCCESS),
         Some(Command::Write { name, file }) => {
             write::write(&name, &file).map(|()| ExitCode::SUCCESS)

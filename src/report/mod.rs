@@ -1,7 +1,8 @@
-//! What is told about a run: record files and pictures, tables of judges, charts, and later of speed.
+//! What is told about a run: record files and pictures, tables of judges, charts, speed against error.
 
 pub mod audit;
 pub mod chart;
 pub mod judge;
 pub mod picture;
 pub mod record_file;
+pub mod speed_and_error;

@@ -1,0 +1,251 @@
+//! The scenes, from one ball to thousands.
+
+use glam::DVec3;
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+
+use crate::physics::ball::Ball;
+use crate::physics::laws::Laws;
+use crate::physics::laws::motion::MotionLaw;
+use crate::physics::scene::{Scene, Solver};
+use crate::physics::table::Preset;
+use crate::report::speed_and_error::{Effort, Method, Named};
+
+/// Share of the floor that the balls of a gas cover.
+const COVERED: f64 = 0.4;
+
+/// The coursework report's own number of balls.
+pub(super) const COURSEWORK_BALLS: u32 = 5750;
+
+/// The gas of this many balls, or the largest crowd asked for.
+pub(super) const GAS: &str = "gas";
+/// The scene of which energy is followed beside the gas.
+pub(super) const LOOSE: &str = "five-loose-balls";
+
+/// One scene, started in several places so that the tick falls anywhere around its contacts.
+#[derive(Clone, Debug)]
+pub struct Rung {
+    /// What it is called, in tables and after `--scene`.
+    pub name: String,
+    /// What happens in it.
+    pub title: String,
+    /// The starts.
+    pub starts: Vec<Scene>,
+    /// Whether nothing in it amplifies errors much, so that a method has an order that can be asked for.
+    pub gentle: bool,
+    /// Most ticks a second that are played of a stepped method.
+    pub finest: u32,
+}
+
+impl Rung {
+    fn new(name: &str, title: &str, starts: Vec<Scene>) -> Self {
+        Self {
+            name: name.to_owned(),
+            title: title.to_owned(),
+            starts,
+            gentle: false,
+            finest: u32::MAX,
+        }
+    }
+
+    /// The methods that can play it.
+    #[must_use]
+    pub fn methods(&self, effort: &Effort) -> Vec<Method> {
+        let rates = || effort.rates.iter().copied();
+        let general = || rates().filter(|rate| *rate <= self.finest);
+        let mut methods = vec![Method::Exact];
+        methods.extend(general().map(Method::Located));
+        if self.name == GAS {
+            methods.extend(rates().map(Method::Crowd));
+        }
+        methods.extend(general().map(Method::Plain));
+        let has_cloth = |scene: &Scene| scene.laws.motion != MotionLaw::Frictionless;
+        if self.starts.iter().any(has_cloth) {
+            methods.extend(general().map(Method::Coursework));
+        }
+        methods
+    }
+}
+
+/// Every scene of the ladder; `library` holds built-in scenes that belong to it.
+pub(super) fn ladder(effort: &Effort, library: &[Named]) -> Vec<Rung> {
+    let several = |start: &dyn Fn(f64) -> Scene| {
+        let share = |i: u32| f64::from(i) / f64::from(effort.starts);
+        (0..effort.starts)
+            .map(|i| start(share(i)))
+            .collect::<Vec<_>>()
+    };
+    let mut rungs = vec![
+        Rung {
+            gentle: true,
+            ..Rung::new(
+                "slide-and-roll",
+                "One ball slides with side and draw, rolls, rests",
+                several(&lone),
+            )
+        },
+        Rung {
+            gentle: true,
+            ..Rung::new(
+                "two-ball-cuts",
+                "One ball cuts another by 10 to 65 degrees",
+                several(&cut),
+            )
+        },
+        Rung {
+            gentle: true,
+            ..Rung::new(
+                "three-cushions",
+                "One ball with running english meets three cushions",
+                several(&cushions),
+            )
+        },
+        Rung::new(LOOSE, "One ball runs into five loose ones", several(&loose)),
+    ];
+    for named in library {
+        let mut scene = named.scene.clone();
+        if matches!(scene.laws.motion, MotionLaw::Coursework(_)) {
+            // The same start on a real table: what the model should have said.
+            scene.laws = Laws::default();
+        }
+        scene.solver = Solver::Exact;
+        rungs.push(Rung::new(&named.name, &named.title, vec![scene]));
+    }
+    let count = COURSEWORK_BALLS.min(effort.most_balls);
+    let mut scene = gas(count, false);
+    scene.time_limit = if effort.quick { 0.2 } else { 0.5 };
+    rungs.push(Rung {
+        // Each tick the general solver notes where every ball is.
+        finest: 960,
+        ..Rung::new(
+            GAS,
+            &format!("{count} balls without friction in a closed box"),
+            vec![scene],
+        )
+    });
+    rungs
+}
+
+fn moving(scene: &mut Scene, ball: usize, velocity: DVec3, spin: DVec3) {
+    let state = &mut scene.balls[ball].state;
+    state.velocity = velocity;
+    state.angular_velocity = spin;
+}
+
+fn on(table: Preset) -> Scene {
+    let mut scene = Scene::new(table.table(), Laws::default());
+    scene.time_limit = 3.0;
+    scene
+}
+
+/// A large floor: no cushion comes into play.
+const FLOOR: Preset = Preset::Box {
+    length: 20.0,
+    width: 20.0,
+};
+
+fn lone(share: f64) -> Scene {
+    let mut scene = on(FLOOR);
+    let ball = scene.place("cue", Ball::POOL, 0.0, 0.0);
+    let spin = DVec3::new(20.0 + 20.0 * share, 30.0, 60.0);
+    moving(&mut scene, ball, DVec3::X * (1.0 + share), spin);
+    scene.time_limit = 12.0;
+    scene
+}
+
+fn cut(share: f64) -> Scene {
+    let mut scene = on(FLOOR);
+    let angle = (10.0 + 55.0 * share).to_radians();
+    let reach = 2.0 * Ball::POOL.radius;
+    let ball = scene.place("cue", Ball::POOL, -0.3 - 0.05 * share, 0.0);
+    scene.place(
+        "1",
+        Ball::POOL,
+        reach * libm::cos(angle),
+        reach * libm::sin(angle),
+    );
+    moving(
+        &mut scene,
+        ball,
+        DVec3::X * 2.0,
+        DVec3::new(0.0, 20.0, -30.0),
+    );
+    scene
+}
+
+fn cushions(share: f64) -> Scene {
+    let mut scene = on(Preset::Carom);
+    let ball = scene.place("white", Ball::POOL, -1.0 + 0.1 * share, 0.3);
+    moving(
+        &mut scene,
+        ball,
+        DVec3::new(2.6, 0.0, -1.8),
+        DVec3::new(-40.0, 35.0, -60.0),
+    );
+    scene.time_limit = 4.0;
+    scene
+}
+
+fn loose(share: f64) -> Scene {
+    let mut scene = on(Preset::Carom);
+    let ball = scene.place("white", Ball::POOL, -0.9 - 0.05 * share, 0.02);
+    for (name, x, z) in [
+        ("1", 0.0, 0.0),
+        ("2", 0.25, 0.12),
+        ("3", 0.3, -0.1),
+        ("4", 0.55, 0.25),
+        ("5", 0.6, -0.3),
+    ] {
+        scene.place(name, Ball::POOL, x, z);
+    }
+    moving(
+        &mut scene,
+        ball,
+        DVec3::X * 3.0,
+        DVec3::new(0.0, 0.0, -50.0),
+    );
+    scene
+}
+
+/// Balls at about 1 m/s in all directions in a square box of which they cover [`COVERED`]; with cloth or without.
+pub(super) fn gas(count: u32, cloth: bool) -> Scene {
+    let ball = Ball {
+        spins: cloth,
+        ..Ball::POOL
+    };
+    let side = (f64::from(count) * std::f64::consts::PI / COVERED).sqrt() * ball.radius;
+    let table = Preset::Box {
+        length: side,
+        width: side,
+    }
+    .table();
+    let mut scene = Scene::new(
+        table,
+        if cloth {
+            Laws::default()
+        } else {
+            Laws::ideal()
+        },
+    );
+    let columns = f64::from(count).sqrt().ceil();
+    let pitch = side / columns;
+    let free = 0.9 * (0.5 * pitch - ball.radius);
+    let mut random = ChaCha8Rng::seed_from_u64(5750);
+    let mut signed = || random.random_range(-1.0..1.0);
+    for i in 0..count {
+        let (column, row) = (f64::from(i) % columns, (f64::from(i) / columns).floor());
+        let x = (column + 0.5) * pitch - 0.5 * side + free * signed();
+        let z = (row + 0.5) * pitch - 0.5 * side + free * signed();
+        let index = scene.place(&i.to_string(), ball, x, z);
+        // Sums of twelve are close to Maxwell's law, so that the gas begins in balance.
+        let mut normal = || (0..12).map(|_| signed()).sum::<f64>() * 0.5 * 0.5_f64.sqrt();
+        let velocity = DVec3::new(normal(), 0.0, normal());
+        let spin = if cloth {
+            ball.rolling_spin(velocity)
+        } else {
+            DVec3::ZERO
+        };
+        moving(&mut scene, index, velocity, spin);
+    }
+    scene
+}

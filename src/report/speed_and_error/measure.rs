@@ -1,0 +1,259 @@
+//! The measurements, one after the other.
+
+use std::time::Instant;
+
+use crate::report::judge::Stopped;
+use crate::report::speed_and_error::crowds::{self, GRIDS, cost_of_crowd, cost_of_grid};
+use crate::report::speed_and_error::ensemble::ensembles;
+use crate::report::speed_and_error::fit::{Convergence, convergence, pareto};
+use crate::report::speed_and_error::horizon::truth;
+use crate::report::speed_and_error::ladder::{COURSEWORK_BALLS, GAS, LOOSE, gas, ladder};
+use crate::report::speed_and_error::play::{SAMPLES, cost, play};
+use crate::report::speed_and_error::{
+    BREAK, Effort, Errors, Method, Named, Progress, Report, Rung, Truth,
+};
+
+/// Error in m that is no more than rounding, however little a scene amplifies it.
+const ROUNDING: f64 = 1e-9;
+/// Seconds after which every break has come to rest, or nearly.
+const BREAK_SECONDS: u32 = 12;
+/// Two runs whose costs lie within this share of each other are stable.
+const STABLE: f64 = 0.02;
+
+/// One method in one scene.
+#[derive(Clone, Debug)]
+pub struct Measured {
+    /// The method.
+    pub method: Method,
+    /// Processor time in s for a second of the scene.
+    pub cost: f64,
+    /// Its errors.
+    pub errors: Errors,
+}
+
+/// One scene, played by every method.
+#[derive(Clone, Debug)]
+pub struct Scene {
+    /// The scene.
+    pub rung: Rung,
+    /// What the exact solver says of each start.
+    pub truths: Vec<Truth>,
+    /// Every method that can play it, the exact one first.
+    pub measured: Vec<Measured>,
+}
+
+impl Scene {
+    /// The furthest in m that a turn of 1e-13 rad carries a ball before the horizon.
+    #[must_use]
+    pub fn floor(&self) -> f64 {
+        self.truths
+            .iter()
+            .map(|truth| truth.floor)
+            .fold(0.0, f64::max)
+    }
+
+    /// Times in s up to which the starts are compared: the shortest and the longest.
+    #[must_use]
+    pub fn until(&self) -> (f64, f64) {
+        let times = || self.truths.iter().map(|truth| truth.until);
+        (
+            times().fold(f64::INFINITY, f64::min),
+            times().fold(0.0, f64::max),
+        )
+    }
+
+    /// The methods of a family, by tick.
+    pub fn family(&self, of: Method) -> impl Iterator<Item = &Measured> {
+        self.measured
+            .iter()
+            .filter(move |measured| measured.method.family() == of.family())
+    }
+
+    /// How the error of a family falls with the tick.
+    #[must_use]
+    pub fn convergence(&self, of: Method) -> Convergence {
+        let points: Vec<(f64, f64)> = self
+            .family(of)
+            .filter_map(|measured| {
+                Some((
+                    1.0 / f64::from(measured.method.rate()?),
+                    measured.errors.rms,
+                ))
+            })
+            .collect();
+        convergence(&points, ROUNDING.max(self.floor()))
+    }
+
+    /// Whether located contacts converge as they should.
+    #[must_use]
+    pub fn keeps_order(&self) -> bool {
+        match self.convergence(Method::Located(SAMPLES)) {
+            Convergence::Rounding => true,
+            Convergence::Order { order, .. } => order >= 2.0,
+            Convergence::Unknown => false,
+        }
+    }
+
+    /// The methods that no other beats in cost and error both, cheapest first.
+    #[must_use]
+    pub fn front(&self) -> Vec<usize> {
+        let points: Vec<(f64, f64)> = self
+            .measured
+            .iter()
+            .map(|m| (m.cost, m.errors.rms))
+            .collect();
+        pareto(&points)
+    }
+}
+
+/// The names that a scene of the ladder can be asked for by.
+#[must_use]
+pub fn names(effort: &Effort, library: &[Named]) -> Vec<String> {
+    ladder(effort, library)
+        .into_iter()
+        .map(|rung| rung.name)
+        .collect()
+}
+
+/// Measures everything; of the ladder only the scenes with these names, if any are given.
+///
+/// # Errors
+/// [`Stopped`] if a solver cannot play a scene.
+pub fn run(
+    effort: &Effort,
+    library: &[Named],
+    only: &[String],
+    progress: &dyn Progress,
+) -> Result<Report, Stopped> {
+    let rungs: Vec<Rung> = ladder(effort, library)
+        .into_iter()
+        .filter(|rung| only.is_empty() || only.contains(&rung.name))
+        .collect();
+    let counts = crowds::counts(effort.most_balls);
+    let grid_balls = COURSEWORK_BALLS.min(effort.most_balls);
+    let methods: usize = rungs.iter().map(|rung| rung.methods(effort).len()).sum();
+    progress.begin(methods + counts.len() + GRIDS.len() + 3);
+
+    let mut scenes = Vec::new();
+    for rung in rungs {
+        scenes.push(scene(effort, rung, progress)?);
+    }
+    progress.step("many breaks");
+    let mut statistics = Vec::new();
+    if let Some(scene) = scenes.iter().find(|scene| scene.rung.name == BREAK) {
+        let methods = [
+            Method::Exact,
+            Method::Located(60),
+            Method::Located(480),
+            Method::Plain(60),
+            Method::Plain(480),
+            Method::Coursework(60),
+        ];
+        statistics = ensembles(&scene.rung.starts[0], &methods, effort.shots, BREAK_SECONDS)?;
+    }
+    progress.step("energy over time");
+    let drifts = drifts(effort, &scenes)?;
+    let mut crowds = Vec::new();
+    for count in counts {
+        progress.step(&format!("{count} balls"));
+        crowds.extend(cost_of_crowd(effort, count)?);
+    }
+    let mut grids = Vec::new();
+    for cells in GRIDS {
+        progress.step(&format!("{grid_balls} balls in {cells} x {cells} cells"));
+        grids.extend(cost_of_grid(effort, grid_balls, cells)?);
+    }
+    progress.step("tables and pictures");
+    Ok(Report {
+        effort: effort.clone(),
+        scenes,
+        ensembles: statistics,
+        crowds,
+        grids,
+        grid_balls,
+        drifts,
+    })
+}
+
+fn scene(effort: &Effort, rung: Rung, progress: &dyn Progress) -> Result<Scene, Stopped> {
+    let truths = rung
+        .starts
+        .iter()
+        .map(truth)
+        .collect::<Result<Vec<_>, _>>()?;
+    let mut measured = Vec::new();
+    for method in rung.methods(effort) {
+        progress.step(&format!("{}: {method}", rung.name));
+        let mut errors = Errors::default();
+        for (scene, truth) in rung.starts.iter().zip(&truths) {
+            let played = play(method, scene, truth.played.states.len())?;
+            errors.add(scene, truth, &played);
+        }
+        measured.push(Measured {
+            method,
+            cost: cheapest(effort, method, &rung, &truths)?,
+            errors,
+        });
+    }
+    Ok(Scene {
+        rung,
+        truths,
+        measured,
+    })
+}
+
+/// Processor time in s for a second of a scene: all starts are played, and again until the two cheapest rounds are close
+/// to each other or the time for it is up; the cheapest counts.
+fn cheapest(
+    effort: &Effort,
+    method: Method,
+    rung: &Rung,
+    truths: &[Truth],
+) -> Result<f64, Stopped> {
+    let samples: usize = truths.iter().map(|truth| truth.played.states.len()).sum();
+    let begun = Instant::now();
+    let (mut first, mut second) = (f64::INFINITY, f64::INFINITY);
+    loop {
+        let mut round = 0.0;
+        for (scene, truth) in rung.starts.iter().zip(truths) {
+            round += cost(method, scene, truth.played.states.len())?.as_secs_f64();
+        }
+        if round < first {
+            (first, second) = (round, first);
+        } else {
+            second = second.min(round);
+        }
+        let stable = second <= first * (1.0 + STABLE) && begun.elapsed() > effort.budget / 4;
+        if stable || begun.elapsed() > effort.budget {
+            return Ok(first / (samples as f64 / f64::from(SAMPLES)));
+        }
+    }
+}
+
+fn drifts(effort: &Effort, scenes: &[Scene]) -> Result<Vec<crowds::Drift>, Stopped> {
+    let samples = if effort.quick {
+        SAMPLES / 2
+    } else {
+        3 * SAMPLES
+    } as usize;
+    let gas = gas(COURSEWORK_BALLS.min(effort.most_balls), false);
+    let crowd = [
+        Method::Crowd(60),
+        Method::Crowd(240),
+        Method::Plain(60),
+        Method::Plain(240),
+    ];
+    let mut drifts = crowds::drift(GAS, &gas, &crowd, samples)?;
+    if let Some(scene) = scenes.iter().find(|scene| scene.rung.name == LOOSE) {
+        let few = [
+            Method::Located(60),
+            Method::Plain(60),
+            Method::Plain(480),
+            Method::Coursework(60),
+        ];
+        // Beyond the horizon another shot is played, with another energy.
+        let samples = scene.truths[0].played.states.len();
+        drifts.extend(crowds::drift(LOOSE, &scene.rung.starts[0], &few, samples)?);
+    }
+    Ok(drifts)
+}

@@ -1,0 +1,458 @@
+//! The report as Markdown and as CSV.
+
+use std::fmt::Write;
+
+use crate::report::speed_and_error::fit::Convergence;
+use crate::report::speed_and_error::measure::Measured;
+use crate::report::speed_and_error::{GridCost, Method, NUDGE, QUANTITIES, Report, Scene};
+
+/// What no solver of this version has, and is therefore in no table.
+const NO_F32: &str = "Working copies in single precision are not among the methods: the solvers have none. Crowds, where they would pay most, are packed and fast in double precision, with energy kept and the same bits on any number of threads.";
+
+/// The whole report as Markdown, with its pictures beside it.
+#[must_use]
+pub fn markdown(report: &Report) -> String {
+    let mut text = String::new();
+    // Writing to a string cannot fail.
+    let _ = write(report, &mut text);
+    text
+}
+
+fn write(report: &Report, out: &mut String) -> std::fmt::Result {
+    let length = if report.effort.quick {
+        "short report (`--quick`)"
+    } else {
+        "full report"
+    };
+    writeln!(
+        out,
+        "# Speed against error\n\nmasse {}, {length}.\n",
+        env!("CARGO_PKG_VERSION")
+    )?;
+    writeln!(
+        out,
+        "Each scene is played by every method from {} places. *Cost* is processor time for a second of the scene, the cheapest of \
+         repeated rounds, on one thread, laying out the balls not counted for the stepped methods. *Error* is the distance from \
+         the exact solver at every 1/{} s before the horizon: the first contact that comes out otherwise when the whole motion is \
+         turned by {NUDGE:e} rad at the start. *Floor* is how far that turn alone carries a ball until then; errors up to it, or up \
+         to 1e-9 m, are rounding. The exact solver is the truth for the others; for the coursework model, whose laws are its own, \
+         the error is how far it is off real physics.\n\n{NO_F32}\n",
+        report.effort.starts,
+        crate::report::speed_and_error::play::SAMPLES,
+    )?;
+    for (file, of) in [
+        ("speed-against-error", "Error against cost"),
+        ("error-against-tick", "Error against tick"),
+    ] {
+        writeln!(out, "![{of}]({file}.svg)\n")?;
+    }
+    for scene in &report.scenes {
+        scene_table(scene, out)?;
+    }
+    orders(report, out)?;
+    statistics(report, out)?;
+    crowds(report, out)?;
+    grids(report, out)?;
+    drifts(report, out)
+}
+
+fn scene_table(scene: &Scene, out: &mut String) -> std::fmt::Result {
+    let (from, to) = scene.until();
+    let end = if scene.truths.iter().all(|truth| truth.whole) {
+        "to the end"
+    } else {
+        "to the horizon"
+    };
+    let contacts: usize = scene.truths.iter().map(|truth| truth.contacts).sum();
+    writeln!(
+        out,
+        "## {}\n\n{}. Compared {end}, ",
+        scene.rung.name, scene.rung.title
+    )?;
+    if from == to {
+        write!(out, "{to:.3} s")?;
+    } else {
+        write!(out, "{from:.3} to {to:.3} s")?;
+    }
+    writeln!(
+        out,
+        "; {contacts} contacts in {} starts; floor {:.1e} m.\n",
+        scene.truths.len(),
+        scene.floor()
+    )?;
+    writeln!(
+        out,
+        "| method | cost, ms/s | error rms, m | largest, m | energy off by | contacts alike | starts that differ | on the front |"
+    )?;
+    writeln!(out, "|---|--:|--:|--:|--:|--:|--:|---|")?;
+    let front = scene.front();
+    for (
+        place,
+        Measured {
+            method,
+            cost,
+            errors,
+        },
+    ) in scene.measured.iter().enumerate()
+    {
+        let alike = match errors.agreed {
+            None => "-".to_owned(),
+            Some(usize::MAX) => "all".to_owned(),
+            Some(_) if errors.differing == 0 => "all".to_owned(),
+            Some(agreed) => format!("first {agreed}"),
+        };
+        let differing = errors
+            .agreed
+            .map_or("-".to_owned(), |_| errors.differing.to_string());
+        let best = if front.contains(&place) { "yes" } else { "" };
+        writeln!(
+            out,
+            "| {method} | {:.4} | {} | {} | {} | {alike} | {differing} | {best} |",
+            1e3 * cost,
+            size(errors.rms),
+            size(errors.most),
+            size(errors.energy),
+        )?;
+    }
+    writeln!(out)
+}
+
+fn size(value: f64) -> String {
+    if value == 0.0 {
+        "0".to_owned()
+    } else {
+        format!("{value:.1e}")
+    }
+}
+
+/// The families of stepped methods, each once.
+pub(super) fn families(scene: &Scene) -> Vec<Method> {
+    let mut families: Vec<Method> = Vec::new();
+    for measured in &scene.measured {
+        if families
+            .iter()
+            .all(|family| family.family() != measured.method.family())
+        {
+            families.push(measured.method);
+        }
+    }
+    families
+}
+
+fn orders(report: &Report, out: &mut String) -> std::fmt::Result {
+    writeln!(
+        out,
+        "## Order in the tick\n\nThe slope of log error against log tick. Located contacts must be of order 2 or better, or exact to rounding, where nothing amplifies errors.\n"
+    )?;
+    writeln!(
+        out,
+        "| scene | method | order | demanded |\n|---|---|---|---|"
+    )?;
+    for scene in &report.scenes {
+        for family in families(scene)
+            .into_iter()
+            .filter(|family| family.rate().is_some())
+        {
+            let order = match scene.convergence(family) {
+                Convergence::Rounding => "exact to rounding".to_owned(),
+                Convergence::Order { order, scatter } => {
+                    format!("{order:.2} (scatter {scatter:.2} powers of ten)")
+                }
+                Convergence::Unknown => "-".to_owned(),
+            };
+            let demanded = match family {
+                Method::Located(_) if scene.rung.gentle && scene.keeps_order() => "2: pass",
+                Method::Located(_) if scene.rung.gentle => "2: MISS",
+                _ => "",
+            };
+            writeln!(
+                out,
+                "| {} | {} | {order} | {demanded} |",
+                scene.rung.name,
+                family.family()
+            )?;
+        }
+    }
+    writeln!(out)
+}
+
+fn statistics(report: &Report, out: &mut String) -> std::fmt::Result {
+    let Some(first) = report.ensembles.first() else {
+        return Ok(());
+    };
+    writeln!(
+        out,
+        "## Beyond the horizon: {} breaks\n\nEach turned a little; mean ± standard deviation, and in brackets how far the mean lies from the exact solver's in standard errors of the difference. Paths are summed over chords of 1/60 s.\n",
+        first.shots
+    )?;
+    writeln!(
+        out,
+        "| method | {} |\n|---|---|---|---|",
+        QUANTITIES.join(" | ")
+    )?;
+    for ensemble in &report.ensembles {
+        write!(out, "| {} |", ensemble.method)?;
+        for ((mean, spread), off) in ensemble.values.into_iter().zip(ensemble.off) {
+            write!(out, " {mean:.3} ± {spread:.3} ({off:+.1}) |")?;
+        }
+        writeln!(out)?;
+    }
+    writeln!(out)
+}
+
+fn crowds(report: &Report, out: &mut String) -> std::fmt::Result {
+    let mut columns: Vec<&str> = Vec::new();
+    let mut counts: Vec<u32> = Vec::new();
+    for cost in &report.crowds {
+        if !columns.contains(&cost.what.as_str()) {
+            columns.push(&cost.what);
+        }
+        if !counts.contains(&cost.balls) {
+            counts.push(cost.balls);
+        }
+    }
+    writeln!(
+        out,
+        "## What a ball costs\n\nNanoseconds of processor time a ball and 1/120 s; balls cover 0.4 of the floor and move at about 1 m/s.\n\n![Cost per ball](cost-per-ball.svg)\n"
+    )?;
+    writeln!(
+        out,
+        "| balls | {} |\n|--:{}|",
+        columns.join(" | "),
+        "|--:".repeat(columns.len())
+    )?;
+    for count in counts {
+        write!(out, "| {count} |")?;
+        for column in &columns {
+            let cost = report
+                .crowds
+                .iter()
+                .find(|cost| cost.balls == count && cost.what == *column);
+            write!(
+                out,
+                " {} |",
+                cost.map_or(String::new(), |cost| format!("{:.1}", cost.nanoseconds))
+            )?;
+        }
+        writeln!(out)?;
+    }
+    writeln!(out)
+}
+
+/// The cheapest grid of each way, in the order of the ways.
+pub(super) fn best_grids(report: &Report) -> Vec<&GridCost> {
+    let mut best: Vec<&GridCost> = Vec::new();
+    for cost in &report.grids {
+        match best.iter_mut().find(|best| best.what == cost.what) {
+            Some(best) if cost.milliseconds < best.milliseconds => *best = cost,
+            Some(_) => {}
+            None => best.push(cost),
+        }
+    }
+    best
+}
+
+fn grids(report: &Report, out: &mut String) -> std::fmt::Result {
+    let balls = report.grid_balls;
+    writeln!(
+        out,
+        "## The grid: {balls} balls\n\nThe experiment of the coursework report: processor time of a tick against the number of cells.\n\n![Time of a tick against the number of cells](grid.svg)\n"
+    )?;
+    for best in best_grids(report) {
+        writeln!(
+            out,
+            "- {}: best are {} x {} cells of {:.4} m, {:.2} diameters of a ball: {:.3} ms a tick",
+            best.what, best.cells, best.cells, best.side, best.diameters, best.milliseconds
+        )?;
+    }
+    writeln!(
+        out,
+        "\n| cells | side, diameters | way | ms a tick |\n|--:|--:|---|--:|"
+    )?;
+    for cost in &report.grids {
+        writeln!(
+            out,
+            "| {0} x {0} | {1:.2} | {2} | {3:.3} |",
+            cost.cells, cost.diameters, cost.what, cost.milliseconds
+        )?;
+    }
+    writeln!(out)
+}
+
+fn drifts(report: &Report, out: &mut String) -> std::fmt::Result {
+    writeln!(
+        out,
+        "## Energy\n\nHow far the energy is off, as a part of that at the start: in the gas it should stay, with cloth it should be the exact solver's.\n\n![Energy over time](energy.svg)\n"
+    )?;
+    writeln!(
+        out,
+        "| scene | method | after, s | largest | at the end |\n|---|---|--:|--:|--:|"
+    )?;
+    for drift in &report.drifts {
+        let largest = drift
+            .points
+            .iter()
+            .map(|point| point.1.abs())
+            .fold(0.0, f64::max);
+        let (time, end) = drift.points.last().copied().unwrap_or_default();
+        writeln!(
+            out,
+            "| {} | {} | {time:.2} | {} | {} |",
+            drift.scene,
+            drift.method,
+            size(largest),
+            size(end)
+        )?;
+    }
+    Ok(())
+}
+
+/// Every table as a CSV file: name and text.
+///
+/// # Errors
+/// What the writer of CSV says.
+pub fn csv(report: &Report) -> Result<Vec<(&'static str, String)>, csv::Error> {
+    let number = |value: f64| format!("{value:e}");
+    let tick = |method: Method| {
+        method
+            .rate()
+            .map_or(String::new(), |rate| number(1.0 / f64::from(rate)))
+    };
+    let mut rows = Vec::new();
+    for scene in &report.scenes {
+        for (place, measured) in scene.measured.iter().enumerate() {
+            let errors = &measured.errors;
+            rows.push(vec![
+                scene.rung.name.clone(),
+                measured.method.family().to_owned(),
+                tick(measured.method),
+                number(measured.cost),
+                number(errors.rms),
+                number(errors.most),
+                number(errors.energy),
+                errors
+                    .agreed
+                    .filter(|_| errors.differing > 0)
+                    .map_or(String::new(), |agreed| agreed.to_string()),
+                errors
+                    .agreed
+                    .map_or(String::new(), |_| errors.differing.to_string()),
+                scene.truths.len().to_string(),
+                number(scene.until().0),
+                number(scene.floor()),
+                scene.front().contains(&place).to_string(),
+            ]);
+        }
+    }
+    let errors = sheet(
+        &[
+            "scene",
+            "method",
+            "tick_s",
+            "cost_s_per_s",
+            "error_rms_m",
+            "error_most_m",
+            "energy_error",
+            "first_differing_contact",
+            "starts_differing",
+            "starts",
+            "compared_until_s",
+            "floor_m",
+            "on_front",
+        ],
+        rows,
+    )?;
+    let statistics = report.ensembles.iter().flat_map(|ensemble| {
+        (0..QUANTITIES.len()).map(move |i| {
+            let (mean, spread) = ensemble.values[i];
+            let numbers = [mean, spread, ensemble.off[i]].map(number);
+            let [mean, spread, off] = numbers;
+            vec![
+                ensemble.method.family().to_owned(),
+                tick(ensemble.method),
+                QUANTITIES[i].to_owned(),
+                ensemble.shots.to_string(),
+                mean,
+                spread,
+                off,
+            ]
+        })
+    });
+    let statistics = sheet(
+        &[
+            "method",
+            "tick_s",
+            "quantity",
+            "shots",
+            "mean",
+            "standard_deviation",
+            "standard_errors_off",
+        ],
+        statistics,
+    )?;
+    let crowds = report.crowds.iter().map(|cost| {
+        vec![
+            cost.what.clone(),
+            cost.balls.to_string(),
+            number(cost.nanoseconds),
+        ]
+    });
+    let crowds = sheet(
+        &["what", "balls", "nanoseconds_per_ball_and_120th_s"],
+        crowds,
+    )?;
+    let grids = report.grids.iter().map(|cost| {
+        vec![
+            cost.what.to_owned(),
+            cost.cells.to_string(),
+            number(cost.side),
+            number(cost.diameters),
+            number(cost.milliseconds),
+        ]
+    });
+    let grids = sheet(
+        &[
+            "way",
+            "cells_along_a_side",
+            "cell_m",
+            "cell_diameters",
+            "milliseconds_per_tick",
+        ],
+        grids,
+    )?;
+    let drifts = report.drifts.iter().flat_map(|drift| {
+        drift.points.iter().map(|(time, off)| {
+            vec![
+                drift.scene.clone(),
+                drift.method.family().to_owned(),
+                tick(drift.method),
+                number(*time),
+                number(*off),
+            ]
+        })
+    });
+    let drifts = sheet(
+        &["scene", "method", "tick_s", "time_s", "energy_off"],
+        drifts,
+    )?;
+    Ok(vec![
+        ("errors.csv", errors),
+        ("statistics.csv", statistics),
+        ("cost-per-ball.csv", crowds),
+        ("grid.csv", grids),
+        ("energy.csv", drifts),
+    ])
+}
+
+fn sheet(
+    header: &[&str],
+    rows: impl IntoIterator<Item = Vec<String>>,
+) -> Result<String, csv::Error> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_record(header)?;
+    for row in rows {
+        writer.write_record(&row)?;
+    }
+    let bytes = writer.into_inner().map_err(|error| error.into_error())?;
+    Ok(String::from_utf8_lossy(&bytes).into_owned())
+}
