@@ -26,5 +26,6 @@ mod saved_tables;
 mod scenarios;
 mod scene_files;
 mod schedules;
+mod speed_report;
 #[cfg(feature = "window")]
 mod window;

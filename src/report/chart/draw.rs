@@ -237,7 +237,12 @@ fn font(pixels: i32) -> TextStyle<'static> {
 /// A number below or beside an axis.
 fn tick(value: f64, scale: Scale) -> String {
     match scale {
-        Scale::Log => format!("{value:e}"),
+        Scale::Log => {
+            let text = format!("{value:.2e}");
+            let (digits, power) = text.split_once('e').unwrap_or((&text, "0"));
+            let digits = digits.trim_end_matches('0').trim_end_matches('.');
+            format!("{digits}e{power}")
+        }
         Scale::Linear => {
             // Ticks are round in the decimal system; what is beyond six decimals is rounding.
             let text = format!("{value:.6}");

@@ -1,6 +1,6 @@
 //! Many balls: what one of them costs, what the grid is worth, and whether the energy stays.
 
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use cpu_time::ProcessTime;
 
@@ -46,6 +46,8 @@ pub(super) fn counts(most: u32) -> Vec<u32> {
 /// # Errors
 /// [`Stopped`] if a solver cannot go on.
 pub fn cost_of_crowd(effort: &Effort, balls: u32) -> Result<Vec<CrowdCost>, Stopped> {
+    // A tick of very many balls is long enough to be measured by itself.
+    let ticks = if balls > 50_000 { WINDOW / 6 } else { WINDOW };
     let mut costs = Vec::new();
     for cloth in [false, true] {
         let scene = gas(balls, cloth);
@@ -63,12 +65,12 @@ pub fn cost_of_crowd(effort: &Effort, balls: u32) -> Result<Vec<CrowdCost>, Stop
         };
         add(
             "stepped, as a crowd",
-            tick(effort, &Method::Crowd(RATE).prepare(&scene))?,
+            tick(effort, &Method::Crowd(RATE).prepare(&scene), ticks)?,
         );
         if balls <= 10_000 {
             let mut few = Method::Located(RATE).prepare(&scene);
             fit_grid(&mut few);
-            add("stepped", tick(effort, &few)?);
+            add("stepped", tick(effort, &few, ticks)?);
             add("exact", exact(effort, &scene)?);
         }
     }
@@ -85,45 +87,51 @@ fn fit_grid(scene: &mut Scene) {
     }
 }
 
-/// Processor time in s of a tick: of the cheapest stretch of ticks, so that a stretch in which the machine did something
-/// else does not count.
-fn tick(effort: &Effort, scene: &Scene) -> Result<f64, Stopped> {
-    let mut app = app(scene);
-    if scene.solver.is_crowd() {
-        app.world_mut().resource_mut::<Crowd>().mirror = Mirror::WhenAsked;
-    }
-    step(&mut app, WARM_UP)?;
-    let stretch = (20_000 / scene.balls.len() as u32).clamp(1, 20);
-    let (mut least, begun) = (f64::INFINITY, Instant::now());
-    for stretches in 0.. {
-        if stretches >= 3 && begun.elapsed() > 3 * effort.budget {
-            break;
+/// Ticks that are measured: not more, because a gas on a cloth slows down, and what rests costs nothing.
+const WINDOW: u32 = 60;
+
+/// The cheapest of some rounds of the same work, in s: whatever else the machine does only adds.
+fn cheapest(
+    effort: &Effort,
+    mut round: impl FnMut() -> Result<Duration, Stopped>,
+) -> Result<f64, Stopped> {
+    let (mut least, begun) = (Duration::MAX, Instant::now());
+    loop {
+        least = least.min(round()?);
+        if begun.elapsed() > 2 * effort.budget {
+            return Ok(least.as_secs_f64());
         }
-        let start = ProcessTime::now();
-        step(&mut app, stretch)?;
-        least = least.min(start.elapsed().as_secs_f64() / f64::from(stretch));
     }
-    Ok(least)
 }
 
-/// The same for the exact solver, which has no ticks: 1/120 s.
+/// Processor time in s of a tick, over the first so many after some to warm up.
+fn tick(effort: &Effort, scene: &Scene, ticks: u32) -> Result<f64, Stopped> {
+    let whole = cheapest(effort, || {
+        let mut app = app(scene);
+        if scene.solver.is_crowd() {
+            app.world_mut().resource_mut::<Crowd>().mirror = Mirror::WhenAsked;
+        }
+        step(&mut app, WARM_UP)?;
+        let start = ProcessTime::now();
+        step(&mut app, ticks)?;
+        Ok(start.elapsed())
+    })?;
+    Ok(whole / f64::from(ticks))
+}
+
+/// The same stretch of time by the exact solver, which has no ticks.
 fn exact(effort: &Effort, scene: &Scene) -> Result<f64, Stopped> {
     let mut scene = scene.clone();
     scene.solver = Solver::Exact;
-    let mut engine = Engine::new(&scene, Limits::default())?;
-    let span = 1.0 / f64::from(RATE);
-    let (mut until, begun) = (4.0 * span, Instant::now());
-    engine.advance(until, &mut ())?;
-    let mut costs = Vec::new();
-    while costs.len() < 3 || (begun.elapsed() < 3 * effort.budget && costs.len() < 60) {
-        until += span;
+    let at = |ticks: u32| f64::from(ticks) / f64::from(RATE);
+    let whole = cheapest(effort, || {
+        let mut engine = Engine::new(&scene, Limits::default())?;
+        engine.advance(at(WARM_UP), &mut ())?;
         let start = ProcessTime::now();
-        engine.advance(until, &mut ())?;
-        costs.push(start.elapsed().as_secs_f64());
-    }
-    costs.sort_by(f64::total_cmp);
-    // Each 1/120 s has other events: the one in the middle is fair.
-    Ok(costs[costs.len() / 2])
+        engine.advance(at(WARM_UP + WINDOW), &mut ())?;
+        Ok(start.elapsed())
+    })?;
+    Ok(whole / f64::from(WINDOW))
 }
 
 /// Processor time of a tick with a grid of this many cells.
@@ -140,6 +148,9 @@ pub struct GridCost {
     /// Milliseconds a tick.
     pub milliseconds: f64,
 }
+
+/// Ticks that are measured for a grid.
+const GRID_TICKS: u32 = 10;
 
 /// Grids along which the coursework's experiment is repeated, cells along a side.
 pub(super) const GRIDS: [u32; 12] = [5, 10, 15, 20, 30, 40, 50, 65, 80, 120, 180, 250];
@@ -188,7 +199,7 @@ pub fn cost_of_grid(effort: &Effort, balls: u32, cells: u32) -> Result<Vec<GridC
             cells,
             side,
             diameters: side / (2.0 * scene.balls[0].ball.radius),
-            milliseconds: 1e3 * tick(effort, &scene)?,
+            milliseconds: 1e3 * tick(effort, &scene, GRID_TICKS)?,
         });
     }
     Ok(costs)

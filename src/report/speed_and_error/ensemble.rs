@@ -19,6 +19,8 @@ pub const QUANTITIES: [&str; 3] = ["balls potted", "final spread, m", "path of a
 /// One method's account of many shots.
 #[derive(Clone, Debug)]
 pub struct Ensemble {
+    /// The scene.
+    pub scene: String,
     /// The method.
     pub method: Method,
     /// Shots.
@@ -34,6 +36,7 @@ pub struct Ensemble {
 /// # Errors
 /// [`Stopped`] if a solver cannot go on.
 pub fn ensembles(
+    name: &str,
     scene: &Scene,
     methods: &[Method],
     shots: usize,
@@ -66,6 +69,7 @@ pub fn ensembles(
             }
         });
         ensembles.push(Ensemble {
+            scene: name.to_owned(),
             method,
             shots: shots.len(),
             values,

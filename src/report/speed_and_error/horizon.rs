@@ -6,7 +6,7 @@ use crate::physics::exact::{Limits, solve};
 use crate::physics::record::Record;
 use crate::physics::scene::Scene;
 use crate::report::judge::Stopped;
-use crate::report::speed_and_error::play::{Played, SAMPLES, Touch, sample_time, sampled};
+use crate::report::speed_and_error::play::{Played, SAMPLES, Touch, sampled};
 
 /// The turn in rad that stands for what nobody can know: a thousand roundings of a direction.
 pub const NUDGE: f64 = 1e-13;
@@ -48,10 +48,8 @@ pub fn truth(scene: &Scene) -> Result<Truth, Stopped> {
     let horizon = first(&mine).min(first(&theirs));
     let whole = horizon.is_infinite();
     let until = horizon.min(record.end_time).min(other.end_time);
-    let samples = (0..)
-        .take_while(|sample| sample_time(*sample) < until)
-        .count()
-        .max(1);
+    // The common times before it, but one at least.
+    let samples = (until * f64::from(SAMPLES)).ceil().max(2.0) as usize - 1;
     let played = sampled(&record, samples);
     let nudged = sampled(&other, samples);
     let floor = apart(&played, &nudged).fold(0.0, f64::max);

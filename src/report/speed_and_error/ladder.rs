@@ -7,7 +7,7 @@ use rand_chacha::ChaCha8Rng;
 use crate::physics::ball::Ball;
 use crate::physics::laws::Laws;
 use crate::physics::laws::motion::MotionLaw;
-use crate::physics::scene::{Scene, Solver};
+use crate::physics::scene::{Rack, Scene, Solver};
 use crate::physics::table::Preset;
 use crate::report::speed_and_error::{Effort, Method, Named};
 
@@ -21,6 +21,9 @@ pub(super) const COURSEWORK_BALLS: u32 = 5750;
 pub(super) const GAS: &str = "gas";
 /// The scene of which energy is followed beside the gas.
 pub(super) const LOOSE: &str = "five-loose-balls";
+
+/// A break of balls that do not touch before: impacts come one after another, as a stepped solver has them.
+pub(super) const LOOSENED: &str = "loosened-break";
 
 /// One scene, started in several places so that the tick falls anywhere around its contacts.
 #[derive(Clone, Debug)]
@@ -102,6 +105,11 @@ pub(super) fn ladder(effort: &Effort, library: &[Named]) -> Vec<Rung> {
         },
         Rung::new(LOOSE, "One ball runs into five loose ones", several(&loose)),
     ];
+    rungs.push(Rung::new(
+        LOOSENED,
+        "Nine-ball break, a tenth of a millimetre between the balls of the rack",
+        several(&loosened),
+    ));
     for named in library {
         let mut scene = named.scene.clone();
         if matches!(scene.laws.motion, MotionLaw::Coursework(_)) {
@@ -204,6 +212,18 @@ fn loose(share: f64) -> Scene {
         DVec3::X * 3.0,
         DVec3::new(0.0, 0.0, -50.0),
     );
+    scene
+}
+
+fn loosened(share: f64) -> Scene {
+    let mut scene = on(Preset::NineFoot);
+    Rack::NineBall.place(&mut scene, Ball::POOL, 1e-4, 2);
+    let cue = &mut scene.balls[0].state;
+    cue.position += DVec3::new(-0.05 * share, 0.0, 0.15);
+    let apex = scene.balls[1].state.position;
+    let towards = (apex - scene.balls[0].state.position).normalize();
+    moving(&mut scene, 0, 8.0 * towards, DVec3::ZERO);
+    scene.time_limit = 12.0;
     scene
 }
 

@@ -7,7 +7,7 @@ use crate::report::speed_and_error::crowds::{self, GRIDS, cost_of_crowd, cost_of
 use crate::report::speed_and_error::ensemble::ensembles;
 use crate::report::speed_and_error::fit::{Convergence, convergence, pareto};
 use crate::report::speed_and_error::horizon::truth;
-use crate::report::speed_and_error::ladder::{COURSEWORK_BALLS, GAS, LOOSE, gas, ladder};
+use crate::report::speed_and_error::ladder::{COURSEWORK_BALLS, GAS, LOOSE, LOOSENED, gas, ladder};
 use crate::report::speed_and_error::play::{SAMPLES, cost, play};
 use crate::report::speed_and_error::{
     BREAK, Effort, Errors, Method, Named, Progress, Report, Rung, Truth,
@@ -139,17 +139,21 @@ pub fn run(
         scenes.push(scene(effort, rung, progress)?);
     }
     progress.step("many breaks");
+    let methods = [
+        Method::Exact,
+        Method::Located(60),
+        Method::Located(480),
+        Method::Plain(60),
+        Method::Plain(480),
+        Method::Coursework(60),
+    ];
     let mut statistics = Vec::new();
-    if let Some(scene) = scenes.iter().find(|scene| scene.rung.name == BREAK) {
-        let methods = [
-            Method::Exact,
-            Method::Located(60),
-            Method::Located(480),
-            Method::Plain(60),
-            Method::Plain(480),
-            Method::Coursework(60),
-        ];
-        statistics = ensembles(&scene.rung.starts[0], &methods, effort.shots, BREAK_SECONDS)?;
+    for scene in &scenes {
+        if [BREAK, LOOSENED].contains(&scene.rung.name.as_str()) {
+            let start = &scene.rung.starts[0];
+            let (name, shots) = (&scene.rung.name, effort.shots);
+            statistics.extend(ensembles(name, start, &methods, shots, BREAK_SECONDS)?);
+        }
     }
     progress.step("energy over time");
     let drifts = drifts(effort, &scenes)?;

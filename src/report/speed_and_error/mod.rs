@@ -18,6 +18,7 @@ mod measure;
 mod method;
 mod pictures;
 mod play;
+mod sheets;
 mod tables;
 
 pub use crowds::{CrowdCost, Drift, GridCost};
@@ -29,7 +30,8 @@ pub use ladder::Rung;
 pub use measure::{Measured, Scene, names, run};
 pub use method::Method;
 pub use pictures::pictures;
-pub use tables::{csv, markdown};
+pub use sheets::csv;
+pub use tables::markdown;
 
 use std::time::Duration;
 

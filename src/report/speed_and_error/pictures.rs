@@ -123,7 +123,7 @@ fn error_against_tick(report: &Report) -> Chart {
                 match order {
                     Convergence::Rounding => orders.push(format!("{how}: exact to rounding")),
                     Convergence::Order { order, .. } => {
-                        orders.push(format!("{how}: order {order:.2}"))
+                        orders.push(format!("{how}: order {order:.2}"));
                     }
                     Convergence::Unknown => {}
                 }

@@ -128,7 +128,6 @@ pub fn cost(method: Method, scene: &Scene, samples: usize) -> Result<Duration, S
 }
 
 /// A table that runs on one thread, so that processor time is what the work costs and not what threads cost.
-#[must_use]
 pub fn app(scene: &Scene) -> App {
     let mut app = stepping::headless_app(scene);
     app.edit_schedule(FixedUpdate, |schedule| {
