@@ -5,6 +5,7 @@ mod list;
 mod picture;
 mod play;
 mod report;
+mod rules;
 mod run;
 mod simulate;
 mod solve;
@@ -99,6 +100,11 @@ enum Command {
     Report(ReportOptions),
     /// Name the scenes, presets and cloths that are built in
     List,
+    /// Name the games, or print the options of one and the code that they come from
+    Rules {
+        /// The game: 8-ball, 9-ball, 10-ball, 14.1, snooker, three-cushion, practice
+        game: Option<String>,
+    },
     /// Write out a scene in full, or a preset or a cloth with the sources of its numbers, to change it
     Write {
         /// Built-in scene, preset or cloth, or a scene file
@@ -173,6 +179,7 @@ pub fn main() -> ExitCode {
         Some(Command::Judge(options)) => judge::run(&options),
         Some(Command::Report(options)) => report::run(&options),
         Some(Command::List) => list::list().map(|()| ExitCode::SUCCESS),
+        Some(Command::Rules { game }) => rules::rules(game.as_deref()).map(|()| ExitCode::SUCCESS),
         Some(Command::Write { name, file }) => {
             write::write(&name, &file).map(|()| ExitCode::SUCCESS)
         }

@@ -5,6 +5,7 @@ pub mod equip;
 pub mod guide;
 pub mod history;
 pub mod lift;
+pub mod matches;
 pub mod placing;
 pub mod practice;
 pub mod preview;

@@ -16,6 +16,7 @@ mod hard;
 mod judge;
 mod judges;
 mod live_exact;
+mod matches;
 mod practice;
 mod presets;
 mod properties;

@@ -265,6 +265,15 @@ impl RuleSet for EightBall {
         ]
     }
 
+    fn check(&self, players: usize) -> Result<(), String> {
+        match self.phase {
+            Phase::Closed { solids } if solids >= players => Err(format!(
+                "phase.solids: {solids} is no player, there are {players}"
+            )),
+            _ => Ok(()),
+        }
+    }
+
     fn rack(&self) -> Rack {
         Rack::EightBall
     }

@@ -56,6 +56,10 @@ impl RuleSet for FreePractice {
         self.rack != Rack::ThreeCushion
     }
 
+    fn counts_points(&self) -> bool {
+        true
+    }
+
     fn rack(&self) -> Rack {
         self.rack
     }

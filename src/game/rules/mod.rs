@@ -101,6 +101,19 @@ pub trait RuleSet {
         2..=2
     }
 
+    /// Whether points are counted, else only who wins a rack.
+    fn counts_points(&self) -> bool {
+        false
+    }
+
+    /// Whether what it remembers can be, for this many players: what is asked of a saved game.
+    ///
+    /// # Errors
+    /// The field, its value and what is wrong.
+    fn check(&self, _players: usize) -> Result<(), String> {
+        Ok(())
+    }
+
     /// Whether it is played on a table with pockets.
     fn has_pockets(&self) -> bool {
         true
@@ -193,6 +206,15 @@ impl Game {
     }
 }
 
+/// A rack with its balls in the order of their numbers, so that a ball has the same index in every rack of a match.
+fn racked(like: &Scene, rack: Rack, seed: u64) -> Scene {
+    let mut scene = practice::racked(like, like.table.clone(), rack, seed);
+    // The cue ball and balls without numbers keep their order before the others.
+    let number = |name: &str| name.parse::<u8>().unwrap_or(0);
+    scene.balls.sort_by_key(|ball| number(&ball.name));
+    scene
+}
+
 /// Where a game stands: everything that the rules need to know.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -214,7 +236,7 @@ impl GameState {
         like: &Scene,
         seed: u64,
     ) -> (Self, Scene) {
-        let scene = practice::racked(like, like.table.clone(), game.rules().rack(), seed);
+        let scene = racked(like, game.rules().rack(), seed);
         let mut standing = Standing::new(players, breaker, seed);
         game.rules_mut().begin(&mut standing, &scene);
         (Self { game, standing }, scene)

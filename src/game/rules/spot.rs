@@ -3,6 +3,7 @@
 use glam::{DVec2, DVec3};
 use serde::{Deserialize, Serialize};
 
+use crate::game::placing;
 use crate::physics::ball::{Motion, State};
 use crate::physics::scene::Scene;
 
@@ -166,4 +167,19 @@ pub fn left_behind(scene: &Scene, ends: &[State]) -> Scene {
         }
     }
     after
+}
+
+/// Where a shot left balls that no shot can begin with, because one hangs over an edge or leans into another after the time
+/// ran out, they move to the nearest places where they can lie.
+pub(super) fn make_playable(scene: &mut Scene) {
+    if scene.check().is_ok() {
+        return;
+    }
+    for ball in 0..scene.balls.len() {
+        let at = scene.balls[ball].state.position;
+        let at = DVec2::new(at.x, at.z);
+        if scene.balls[ball].state.motion.in_play() && !placing::is_free(scene, ball, at) {
+            placing::place(scene, ball, at);
+        }
+    }
 }

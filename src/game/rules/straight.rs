@@ -245,6 +245,10 @@ impl RuleSet for StraightPool {
         2..=8
     }
 
+    fn counts_points(&self) -> bool {
+        true
+    }
+
     fn rack(&self) -> Rack {
         Rack::Straight
     }

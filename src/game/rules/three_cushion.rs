@@ -271,6 +271,10 @@ impl RuleSet for ThreeCushion {
         false
     }
 
+    fn counts_points(&self) -> bool {
+        true
+    }
+
     fn rack(&self) -> Rack {
         Rack::ThreeCushion
     }

@@ -3,10 +3,9 @@
 use glam::{DVec2, DVec3};
 use serde::{Deserialize, Serialize};
 
-use crate::game::practice;
-use crate::game::rules::GameState;
 use crate::game::rules::foul::Foul;
 use crate::game::rules::spot::{self, Spotted, Spotter};
+use crate::game::rules::{self, GameState};
 use crate::physics::ball::{Motion, State};
 use crate::physics::record::Record;
 use crate::physics::scene::Scene;
@@ -229,9 +228,8 @@ impl Verdict {
                 }
                 spotter.into_scene()
             }
-            TableChange::Rerack => practice::racked(
+            TableChange::Rerack => rules::racked(
                 before,
-                before.table.clone(),
                 self.next.game.rules().rack(),
                 self.next.standing.seed,
             ),
@@ -241,6 +239,7 @@ impl Verdict {
             },
         };
         self.next.put_down(&mut scene);
+        spot::make_playable(&mut scene);
         scene
     }
 }

@@ -1,5 +1,6 @@
 //! Rules: every rule with a record that shows it.
 
+mod command;
 mod eight_ball;
 mod general;
 mod nine_ball;

@@ -214,6 +214,25 @@ impl RuleSet for Snooker {
         ]
     }
 
+    fn counts_points(&self) -> bool {
+        true
+    }
+
+    fn check(&self, _players: usize) -> Result<(), String> {
+        let before = self.before.map(|before| before.on);
+        for on in [Some(self.on), before].into_iter().flatten() {
+            match on {
+                BallOn::Sequence { value } if !(2..=7).contains(&value) => {
+                    return Err(format!(
+                        "on.value: {value} is no colour, they are worth 2 to 7"
+                    ));
+                }
+                _ => {}
+            }
+        }
+        Ok(())
+    }
+
     fn rack(&self) -> Rack {
         Rack::Snooker
     }
