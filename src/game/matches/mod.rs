@@ -267,7 +267,7 @@ impl Match {
     }
 }
 
-/// The seed of a rack: SplitMix64 (Steele, Lea & Flood 2014) of the seed of the match and the number of the rack.
+/// The seed of a rack: `SplitMix64` (Steele, Lea & Flood 2014) of the seed of the match and the number of the rack.
 fn rack_seed(seed: u64, rack: u32) -> u64 {
     let mut mixed = seed.wrapping_add(u64::from(rack + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15));
     mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);

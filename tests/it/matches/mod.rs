@@ -116,37 +116,29 @@ impl Hand {
         }
     }
 
-    /// Mostly a ghost ball at a pocket, sometimes anywhere.
+    /// Mostly the straightest pot with a clear way, sometimes anywhere.
     fn aim(&mut self, game: &Match) -> (f64, Call) {
         let (on, table) = (game.targets(), game.table());
         let from = plan(&table, on.cue);
-        let first = *on.first.choose(&mut self.random).expect("something is on");
-        let target = plan(&table, first);
-        let wild = self.random.random_range(0..8) == 0;
-        let pocket = table
-            .table
-            .pockets
-            .iter()
-            .enumerate()
-            .map(|(index, pocket)| {
-                let way = (pocket.center - target).normalize();
-                let straight = way.dot((target - from).normalize());
-                (straight, index, way)
-            })
-            .max_by(|a, b| a.0.total_cmp(&b.0));
-        let reach = table.balls[on.cue].ball.radius + table.balls[first].ball.radius;
-        let at = match pocket {
-            Some((_, _, way)) if !wild => target - reach * way,
-            _ => target + DVec2::new(0.0, self.random.random_range(-0.04..0.04)),
+        let any = *on.first.choose(&mut self.random).expect("something is on");
+        let wild = self.random.random_range(0..6) == 0;
+        let pots = on.first.iter().flat_map(|&ball| pots(&table, on.cue, ball));
+        let best = pots.max_by(|a, b| a.straight.total_cmp(&b.straight));
+        let (ball, at) = match &best {
+            Some(pot) if !wild => (pot.ball, pot.ghost),
+            _ => {
+                let aside = DVec2::new(0.0, self.random.random_range(-0.04..0.04));
+                (any, plan(&table, any) + aside)
+            }
         };
         let way = at - from;
         let noise = self.random.random_range(-0.004..0.004);
-        let heading = (-way.y).atan2(way.x) + noise;
-        let call = match (on.call_needed, pocket) {
-            (CallNeeded::Ball, _) => Call::Nominate { ball: first },
-            (CallNeeded::BallAndPocket, Some((_, pocket, _))) => Call::Pot {
-                ball: first,
-                pocket,
+        let heading = libm::atan2(-way.y, way.x) + noise;
+        let call = match (on.call_needed, best) {
+            (CallNeeded::Ball, _) => Call::Nominate { ball },
+            (CallNeeded::BallAndPocket, Some(pot)) => Call::Pot {
+                ball: pot.ball,
+                pocket: pot.pocket,
             },
             _ if on.may_push_out && self.random.random_range(0..4) == 0 => Call::PushOut,
             _ => Call::Nothing,
@@ -154,4 +146,43 @@ impl Hand {
         let safety = on.may_call_safety && self.random.random_range(0..10) == 0;
         (heading, if safety { Call::Safety } else { call })
     }
+}
+
+/// A pot that can be tried.
+struct Pot {
+    ball: usize,
+    pocket: usize,
+    /// Where the cue ball has to be at the contact.
+    ghost: DVec2,
+    /// Cosine of the cut; less for a way that is not clear.
+    straight: f64,
+}
+
+/// The ways of a ball into every pocket.
+fn pots(table: &Scene, cue: usize, ball: usize) -> impl Iterator<Item = Pot> {
+    let (from, target) = (plan(table, cue), plan(table, ball));
+    let reach = table.balls[cue].ball.radius + table.balls[ball].ball.radius;
+    let pockets = table.table.pockets.iter().enumerate();
+    pockets.map(move |(pocket, hole)| {
+        let way = (hole.center - target).normalize();
+        let ghost = target - reach * way;
+        let cosine = way.dot((ghost - from).normalize_or_zero());
+        let clear = |start: DVec2, end: DVec2| {
+            (0..table.balls.len())
+                .filter(|&other| other != cue && other != ball)
+                .filter(|&other| table.balls[other].state.motion.in_play())
+                .all(|other| {
+                    let center = plan(table, other);
+                    let along = (center - start).dot(end - start) / (end - start).length_squared();
+                    (start + along.clamp(0.0, 1.0) * (end - start)).distance(center) >= reach
+                })
+        };
+        let open = clear(from, ghost) && clear(target, hole.center);
+        Pot {
+            ball,
+            pocket,
+            ghost,
+            straight: if open { cosine } else { cosine - 3.0 },
+        }
+    })
 }

@@ -153,6 +153,24 @@ impl CloneWith for masse::physics::scene::Scene {
 }
 
 #[test]
+fn at_snooker_the_cue_ball_in_hand_stays_in_the_d() {
+    let mut game = begin(&Game::named("snooker").expect("snooker"), 1, 1);
+    let baulk = game.table().table.baulk_spot();
+    game.place(baulk - DVec2::new(0.1, 0.1))
+        .expect("inside the D");
+    for outside in [DVec2::new(0.01, 0.0), DVec2::new(-0.21, 0.21)] {
+        let refused = game.place(baulk + outside);
+        assert!(matches!(
+            refused,
+            Err(Refused::Place {
+                why: "outside the area",
+                ..
+            })
+        ));
+    }
+}
+
+#[test]
 fn breaks_go_in_turn_or_to_winner_or_loser() {
     for (breaks, expected) in [
         (Breaks::Alternate, [0, 1, 0, 1]),

@@ -1,7 +1,7 @@
 //! Whole racks of every game by hands that hit about what they aim at: no stuck state, and nothing is lost.
 
 use masse::game::matches::{Match, Phase};
-use masse::game::rules::{Game, GameState, Verdict};
+use masse::game::rules::{Game, GameState, Reason, Snooker, StraightPool, ThreeCushion, Verdict};
 use masse::physics::exact::{Limits, solve};
 use masse::physics::scene::Scene;
 
@@ -148,50 +148,77 @@ fn figures(game: &Match) {
     }
 }
 
-fn whole(name: &str, strokes: usize, ended: usize) {
-    let game = Game::named(name).expect("there is such a game");
-    let played = play(&game, strokes, 7);
+/// Plays a game for this many strokes; racks must have ended for all of these reasons.
+fn whole(game: &Game, strokes: usize, reasons: &[fn(&Reason) -> bool]) {
+    let played = play(game, strokes, 7);
     replays(&played);
     figures(&played);
-    let racks = played.ends().len();
-    eprintln!("{name} {racks} racks {:?}", played.statistics());
-    assert!(
-        racks >= ended,
-        "{name}: only {racks} racks ended in {strokes} strokes"
-    );
+    for (index, is) in reasons.iter().enumerate() {
+        let mut ends = played.ends().iter();
+        let ended = ends.any(|end| is(&end.over.reason));
+        assert!(
+            ended,
+            "no rack ended for reason {index}: {:?}",
+            played.ends()
+        );
+    }
 }
+
+fn named(name: &str) -> Game {
+    Game::named(name).expect("there is such a game")
+}
+
+const WON: fn(&Reason) -> bool = |reason| matches!(reason, Reason::WinningBall { .. });
+const LOST: fn(&Reason) -> bool = |reason| matches!(reason, Reason::LosingBall { .. });
+const FOULS: fn(&Reason) -> bool = |reason| *reason == Reason::ThreeFouls;
+const LAST: fn(&Reason) -> bool = |reason| *reason == Reason::LastBall;
+const MISSES: fn(&Reason) -> bool = |reason| *reason == Reason::ThreeMisses;
+const POINTS: fn(&Reason) -> bool = |reason| matches!(reason, Reason::Points { .. });
 
 #[test]
 fn eight_ball_racks_end() {
-    whole("8-ball", 300, 3);
+    whole(&named("8-ball"), 1500, &[WON, LOST]);
 }
 
 #[test]
 fn nine_ball_racks_end() {
-    whole("9-ball", 300, 5);
+    whole(&named("9-ball"), 1500, &[WON, FOULS]);
 }
 
 #[test]
 fn ten_ball_racks_end() {
-    whole("10-ball", 300, 5);
+    whole(&named("10-ball"), 1500, &[WON, FOULS]);
 }
 
 #[test]
-fn straight_pool_goes_on() {
-    whole("14.1", 300, 0);
+fn straight_pool_games_end() {
+    let rules = StraightPool {
+        to: 5,
+        ..StraightPool::default()
+    };
+    whole(&Game::StraightPool(rules), 1500, &[POINTS]);
 }
 
 #[test]
-fn snooker_frames_go_on() {
-    whole("snooker", 3000, 0);
+fn snooker_frames_end() {
+    whole(&named("snooker"), 3000, &[LAST]);
+    let rules = Snooker {
+        misses_lose: 1,
+        ..Snooker::default()
+    };
+    whole(&Game::Snooker(rules), 300, &[MISSES]);
 }
 
 #[test]
-fn three_cushion_goes_on() {
-    whole("three-cushion", 300, 0);
+fn three_cushion_games_end() {
+    let rules = ThreeCushion {
+        to: 3,
+        ..ThreeCushion::default()
+    };
+    whole(&Game::ThreeCushion(rules), 1500, &[POINTS]);
 }
 
 #[test]
 fn practice_goes_on() {
-    whole("practice", 200, 0);
+    whole(&named("practice"), 500, &[]);
 }

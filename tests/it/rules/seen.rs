@@ -2,6 +2,9 @@
 
 use masse::game::rules::{Call, EightBall, Facts, Game};
 use masse::physics::ball::Motion;
+use masse::physics::cue::Shot;
+use masse::physics::exact::{Limits, solve};
+use masse::physics::scene::PlannedShot;
 use masse::physics::table::Preset;
 
 use super::story::{Story, lay, place, start};
@@ -112,4 +115,68 @@ fn a_frozen_ball_must_leave_its_cushion_and_come_back_or_reach_another() {
     assert!(driven(
         Story::of(&scene).meet("cue", "1").cushion("1", other)
     ));
+}
+
+#[test]
+fn a_ball_that_flies_over_the_rail_and_comes_back_is_not_off() {
+    let scene = table(&[("cue", 0.0, 0.0), ("1", 0.5, 0.3), ("8", 0.9, 0.0)]);
+    let (state, _) = start(Game::EightBall(EightBall::default()), Preset::NineFoot);
+    let beyond = 0.5 * scene.table.width + 0.05;
+    let back = Story::of(&scene)
+        .meet("cue", "1")
+        .fly("1", 0.6, beyond)
+        .fly("1", 0.7, 0.4);
+    let off = |story: &Story| Facts::new(&scene, story.record(), 0).off.len();
+    assert_eq!(off(&back), 0);
+    assert_eq!(back.judge(&state, &Call::Nothing).fouls, []);
+    let gone = Story::of(&scene)
+        .meet("cue", "1")
+        .fly("1", 0.6, beyond)
+        .off("1");
+    assert_eq!(off(&gone), 1);
+}
+
+#[test]
+fn a_frozen_object_ball_is_met_when_shot_into_and_not_when_shot_away_from() {
+    let radius = masse::physics::ball::Ball::POOL.radius;
+    let mut scene = table(&[("cue", 0.0, 0.0), ("1", 2.0 * radius, 0.0), ("8", 0.9, 0.3)]);
+    for (heading, met) in [
+        (0.0, true),
+        (0.7, true),
+        (2.5, false),
+        (std::f64::consts::PI, false),
+    ] {
+        let shot = Shot {
+            heading,
+            speed: 1.0,
+            ..Shot::default()
+        };
+        scene.shot = Some(PlannedShot { ball: 0, shot });
+        let record = solve(&scene, Limits::default()).expect("the shot is played");
+        let facts = Facts::new(&scene, &record, 0);
+        assert!(facts.are_frozen(0, 1));
+        assert_eq!(facts.first_time == Some(0.0), met, "heading {heading}");
+        let fouls = masse::game::rules::Foul::Push { ball: 1 };
+        let (state, _) = start(Game::EightBall(EightBall::default()), Preset::NineFoot);
+        let verdict = state.judge(&scene, &record, &Call::Nothing);
+        assert!(
+            !verdict.fouls.contains(&fouls),
+            "to shoot at it is no foul at pool"
+        );
+    }
+}
+
+#[test]
+fn strings_and_spots_lie_at_quarters_of_the_table() {
+    for preset in [Preset::NineFoot, Preset::EightFoot, Preset::SevenFoot] {
+        let table = preset.table();
+        assert_eq!(
+            table.head_spot(),
+            glam::DVec2::new(-0.25 * table.length, 0.0)
+        );
+        assert_eq!(
+            table.foot_spot(),
+            glam::DVec2::new(0.25 * table.length, 0.0)
+        );
+    }
 }
