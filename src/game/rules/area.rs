@@ -10,6 +10,9 @@ use crate::physics::table::Table;
 /// A line of the table belongs to the area it bounds, this many m beyond it included: rounding.
 const EDGE: f64 = 1e-9;
 
+/// Points along each side of an area that are looked at for a free one.
+const SPOTS: u32 = 48;
+
 /// A part of the cloth, as data: to draw, and to ask.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -103,12 +106,33 @@ impl Area {
         if self.allows(free) {
             return Some(free);
         }
-        // The nearest free spot lies outside: look through the area, nearest first.
+        // The nearest free spot lies outside.
+        self.spots(wish)
+            .into_iter()
+            .find(|spot| placing::is_free(scene, ball, *spot))
+    }
+
+    /// Where a ball in hand is offered to a player: in the open, near to the head spot, or in the D between brown and yellow.
+    #[must_use]
+    pub fn start(&self, scene: &Scene, ball: usize) -> Option<DVec2> {
+        let wish = match *self {
+            Self::Rectangle { .. } => self.nearest(scene.table.head_spot()),
+            Self::HalfDisc { center, radius } => center + DVec2::new(0.0, 0.5 * radius),
+        };
+        let mut spots = vec![wish];
+        spots.extend(self.spots(wish));
+        spots
+            .into_iter()
+            .find(|spot| placing::is_free(scene, ball, *spot))
+            .or_else(|| self.place(scene, ball, wish))
+    }
+
+    /// Points all over the area, nearest to a wish first.
+    fn spots(&self, wish: DVec2) -> Vec<DVec2> {
         let (least, most) = self.bounds();
-        let steps = 48;
-        let mut spots: Vec<DVec2> = (0..=steps)
-            .flat_map(|i| (0..=steps).map(move |j| DVec2::new(f64::from(i), f64::from(j))))
-            .map(|share| least + share / f64::from(steps) * (most - least))
+        let mut spots: Vec<DVec2> = (0..=SPOTS)
+            .flat_map(|i| (0..=SPOTS).map(move |j| DVec2::new(f64::from(i), f64::from(j))))
+            .map(|share| least + share / f64::from(SPOTS) * (most - least))
             .filter(|spot| self.allows(*spot))
             .collect();
         spots.sort_by(|a, b| {
@@ -116,8 +140,6 @@ impl Area {
                 .total_cmp(&b.distance_squared(wish))
         });
         spots
-            .into_iter()
-            .find(|spot| placing::is_free(scene, ball, *spot))
     }
 
     /// Smallest rectangle that holds the area, as (least, greatest) corner.

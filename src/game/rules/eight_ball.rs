@@ -20,6 +20,8 @@ pub enum EightFirst {
     /// A foul (WPA).
     #[default]
     Foul,
+    /// Allowed, but nothing potted counts and the turn passes, as the Billiard Congress of America had it.
+    NoScore,
     /// Allowed, as in some leagues.
     Legal,
 }
@@ -168,7 +170,7 @@ impl EightBall {
             .object_potted()
             .filter(|potted| on.pot.contains(&potted.ball) && pool::is_called(facts, potted, call))
             .map(|potted| potted.ball)
-            .filter(|_| !foul)
+            .filter(|_| !foul && !self.is_void(facts))
             .collect();
         if let Some(eight) = facts.scene.ball_named("8") {
             let gone = facts.potted(eight).is_some() || facts.off.contains(&eight);
@@ -198,6 +200,16 @@ impl EightBall {
         }
         ruling.made = made;
         self.look_for_stalemate(standing, ruling);
+    }
+
+    /// Whether nothing potted counts because the 8 was met first on an open table.
+    fn is_void(&self, facts: &Facts) -> bool {
+        self.phase == Phase::Open
+            && self.eight_first_on_open == EightFirst::NoScore
+            && facts
+                .first
+                .iter()
+                .all(|&ball| number(facts.scene, ball) == Some(8))
     }
 
     /// The first ball potted as called on an open table decides the groups.
@@ -255,7 +267,7 @@ impl RuleSet for EightBall {
             setting(
                 "eight_first_on_open",
                 self.eight_first_on_open,
-                "Foul or Legal: to meet the 8 first while nobody has a group",
+                "Foul, NoScore or Legal: to meet the 8 first while nobody has a group",
             ),
             setting(
                 "stalemate_after",
@@ -292,7 +304,7 @@ impl RuleSet for EightBall {
                 on.first = numbered(scene, |_| true);
             }
             Phase::Open => {
-                if self.eight_first_on_open == EightFirst::Legal {
+                if self.eight_first_on_open != EightFirst::Foul {
                     on.first = numbered(scene, |_| true);
                 }
                 (on.call_needed, on.may_call_safety) = (CallNeeded::BallAndPocket, true);

@@ -28,6 +28,7 @@ mod targets;
 pub mod ten_ball;
 pub mod three_cushion;
 pub mod verdict;
+pub mod wording;
 
 pub use area::Area;
 pub use call::Call;

@@ -1,4 +1,4 @@
-//! Three-cushion, and its sisters with fewer cushions (UMB world rules of carom billiard, edition of 2024).
+//! Three-cushion, and its sisters with fewer cushions (UMB, world rules of carom billiard, 1 January 1989).
 
 use std::ops::RangeInclusive;
 
@@ -232,7 +232,7 @@ impl RuleSet for ThreeCushion {
         Code {
             name: "three-cushion",
             title: "Three-cushion",
-            edition: "UMB world rules of carom billiard, 2024",
+            edition: "UMB world rules of carom billiard, 1 January 1989",
             equipment: "heated_carom",
         }
     }

@@ -66,10 +66,6 @@ pub enum Reason {
     LastBall,
     /// A player gave up.
     Conceded,
-    /// Nobody could make progress.
-    Stalemate,
-    /// Every ball is gone where nothing is counted.
-    Cleared,
 }
 
 /// The end of a rack, frame or game.
@@ -245,7 +241,7 @@ impl Verdict {
 }
 
 impl GameState {
-    /// Puts a cue ball in hand down where it may lie: where it is, or near to the head spot.
+    /// Puts a cue ball in hand down where it may lie: where it is, or where one begins.
     fn put_down(&self, scene: &mut Scene) {
         let Some(area) = self.standing.in_hand else {
             return;
@@ -256,7 +252,7 @@ impl GameState {
         if state.motion.in_play() && area.is_legal(scene, cue, here) {
             return;
         }
-        if let Some(spot) = area.place(scene, cue, scene.table.head_spot()) {
+        if let Some(spot) = area.start(scene, cue) {
             let height = scene.balls[cue].ball.radius;
             scene.balls[cue].state = State::at_rest(DVec3::new(spot.x, height, spot.y));
         }

@@ -25,7 +25,7 @@ fn rules_of_a_game_prints_its_options_and_their_date() {
     for part in [
         "23 June 2025",
         "eight_first_on_open",
-        "Foul or Legal",
+        "Foul, NoScore or Legal",
         "players    2",
     ] {
         assert!(text.contains(part), "{part} is not in\n{text}");

@@ -10,3 +10,4 @@ mod story;
 mod straight;
 mod ten_ball;
 mod three_cushion;
+mod wording;

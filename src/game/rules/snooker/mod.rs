@@ -1,4 +1,4 @@
-//! Snooker (WPBSA, official rules of the games of snooker and billiards, edition of 2024).
+//! Snooker (WPBSA, official rules of the games of snooker and English billiards, November 2019).
 
 mod fouls;
 mod turn;
@@ -194,7 +194,7 @@ impl RuleSet for Snooker {
         Code {
             name: "snooker",
             title: "Snooker",
-            edition: "WPBSA official rules, 2024",
+            edition: "WPBSA official rules, November 2019",
             equipment: "snooker",
         }
     }

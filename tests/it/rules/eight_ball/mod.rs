@@ -131,6 +131,28 @@ fn the_8_first_on_an_open_table_is_what_the_switch_says() {
 }
 
 #[test]
+fn the_8_first_may_be_legal_without_scoring() {
+    let (mut state, scene) = open(&FEW);
+    let story = Story::of(&scene)
+        .meet("cue", "8")
+        .meet("8", "9")
+        .pot("9", 4);
+    for (eight_first_on_open, next, foul) in [
+        (EightFirst::Foul, 0, true),
+        (EightFirst::NoScore, 0, false),
+        (EightFirst::Legal, 1, false),
+    ] {
+        state.game = Game::EightBall(EightBall {
+            eight_first_on_open,
+            phase: Phase::Open,
+            ..EightBall::default()
+        });
+        let verdict = story.judge(&state, &pot(&scene, "9", 4));
+        assert_eq!((verdict.next_player(), verdict.is_foul()), (next, foul));
+    }
+}
+
+#[test]
 fn later_the_own_group_is_met_first_and_then_the_8() {
     let (state, scene) = solids(&FEW);
     let verdict = Story::of(&scene)
