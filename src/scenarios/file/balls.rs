@@ -145,6 +145,11 @@ pub(in crate::scenarios) fn from_diamonds(table: &Table, diamonds: DVec2) -> DVe
 pub(super) enum RackEntry {
     EightBall(Racked),
     NineBall(Racked),
+    NineOnSpot(Racked),
+    TenBall(Racked),
+    Straight(Racked),
+    Snooker(Racked),
+    ThreeCushion(Racked),
 }
 
 /// How a rack is set up.
@@ -168,6 +173,11 @@ impl RackEntry {
         let (rack, Racked { gap, seed }) = match self {
             Self::EightBall(racked) => (Rack::EightBall, racked),
             Self::NineBall(racked) => (Rack::NineBall, racked),
+            Self::NineOnSpot(racked) => (Rack::NineOnSpot, racked),
+            Self::TenBall(racked) => (Rack::TenBall, racked),
+            Self::Straight(racked) => (Rack::Straight, racked),
+            Self::Snooker(racked) => (Rack::Snooker, racked),
+            Self::ThreeCushion(racked) => (Rack::ThreeCushion, racked),
         };
         within("rack.gap", gap, 0.0, 1.0)?;
         rack.place(scene, balls.object, gap, seed);

@@ -250,3 +250,25 @@ fn every_game_is_listed_with_a_dated_code_and_starts_playable() {
     ];
     assert_eq!(names, wanted);
 }
+
+#[test]
+fn every_rack_can_be_named_in_a_scene_file() {
+    use masse::physics::scene::Rack;
+    for rack in Rack::ALL {
+        let table = match rack {
+            Rack::Snooker => "Snooker",
+            Rack::ThreeCushion => "Carom",
+            _ => "NineFoot",
+        };
+        let text = format!("(title: \"A rack\", table: {table}, rack: {rack:?}(seed: 3))");
+        let scene = masse::scenarios::file::parse(&text, "rack.ron")
+            .expect("a scene")
+            .scene;
+        let mut placed = Scene::new(scene.table.clone(), Laws::default());
+        rack.place(&mut placed, Ball::POOL, 0.0, 3);
+        let names = |scene: &Scene| -> Vec<String> {
+            scene.balls.iter().map(|ball| ball.name.clone()).collect()
+        };
+        assert_eq!(names(&scene), names(&placed));
+    }
+}
