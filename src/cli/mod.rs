@@ -7,6 +7,8 @@ mod play;
 mod report;
 mod rules;
 mod run;
+mod sensitivity;
+mod share;
 mod simulate;
 mod solve;
 mod write;
@@ -24,9 +26,11 @@ use crate::physics::scene::SceneError;
 use crate::report::record_file::RecordFileError;
 use crate::scenarios::file::FileError;
 use crate::scenarios::library::OpenError;
+use crate::scenarios::share::ShareError;
 use judge::JudgeOptions;
 use report::ReportOptions;
 use run::RunOptions;
+use sensitivity::SensitivityOptions;
 use solve::SolveOptions;
 
 /// Massé: a billiards game and simulator.
@@ -86,6 +90,13 @@ enum Command {
     Run(RunOptions),
     /// Search for a shot, or a layout, that does what is expected, and write it as a scene file
     Solve(SolveOptions),
+    /// Tell how far each number of a stroke may vary before its shot fails, and draw a map over two of them
+    Sensitivity(SensitivityOptions),
+    /// Print a scene as a short text that can be pasted; every command that takes a scene takes the text too
+    Share {
+        /// Built-in scene or scene file
+        scene: String,
+    },
     /// Draw a run that `masse run` wrote, without running it again
     Picture {
         /// Record file
@@ -123,6 +134,9 @@ enum CommandError {
     /// A scene file that is no good.
     #[error(transparent)]
     File(#[from] FileError),
+    /// A scene that cannot be shared.
+    #[error(transparent)]
+    Share(#[from] ShareError),
     /// A record file that is no good.
     #[error(transparent)]
     Record(#[from] RecordFileError),
@@ -148,9 +162,12 @@ enum CommandError {
 impl CommandError {
     fn code(&self) -> u8 {
         match self {
-            Self::Open(_) | Self::File(_) | Self::Record(_) | Self::Options(_) | Self::Usage(_) => {
-                2
-            }
+            Self::Open(_)
+            | Self::File(_)
+            | Self::Share(_)
+            | Self::Record(_)
+            | Self::Options(_)
+            | Self::Usage(_) => 2,
             Self::Write { .. } => 3,
             Self::Unfinished(_) => 4,
         }
@@ -173,6 +190,8 @@ pub fn main() -> ExitCode {
         Some(Command::Play { scene, preset }) => play::play(scene.as_deref(), preset.as_deref()),
         Some(Command::Run(options)) => run::run(&options),
         Some(Command::Solve(options)) => solve::run(&options),
+        Some(Command::Sensitivity(options)) => sensitivity::run(&options),
+        Some(Command::Share { scene }) => share::share(&scene).map(|()| ExitCode::SUCCESS),
         Some(Command::Picture { record, file }) => {
             picture::draw(&record, &file).map(|()| ExitCode::SUCCESS)
         }

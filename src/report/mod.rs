@@ -2,6 +2,7 @@
 
 pub mod audit;
 pub mod chart;
+pub mod heat_map;
 pub mod judge;
 pub mod picture;
 pub mod record_file;

@@ -7,6 +7,7 @@ use std::path::Path;
 use thiserror::Error;
 
 use crate::scenarios::file::{self, FileError, Scenario};
+use crate::scenarios::share::{self, ShareError};
 
 /// A scene that is built in.
 #[derive(Clone, Copy, Debug)]
@@ -83,13 +84,19 @@ pub enum OpenError {
     /// A scene file that is no good.
     #[error(transparent)]
     File(#[from] FileError),
+    /// A shared text that is no good.
+    #[error(transparent)]
+    Share(#[from] ShareError),
 }
 
-/// The scene that a person calls by this name: a built-in one, else a file.
+/// The scene that a person calls by this name: a built-in one, a shared text, else a file.
 ///
 /// # Errors
 /// [`OpenError`] with the names that are known, or with what is wrong in the file.
 pub fn open(name: &str) -> Result<Scenario, OpenError> {
+    if share::is_shared(name) {
+        return Ok(share::read(name)?);
+    }
     if let Some(built_in) = BUILT_IN.iter().find(|scene| scene.name == name) {
         return Ok(built_in.scenario()?);
     }

@@ -7,3 +7,5 @@ pub mod file;
 pub mod library;
 pub mod preset;
 pub mod search;
+pub mod sensitivity;
+pub mod share;

@@ -78,6 +78,12 @@ fn between(from: &Moment, until: &Moment) -> String {
     }
 }
 
+impl Display for Expectation {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        f.write_str(&wanted(self))
+    }
+}
+
 /// What is expected.
 #[expect(clippy::too_many_lines, reason = "one arm for each kind")]
 pub(super) fn wanted(expected: &Expectation) -> String {

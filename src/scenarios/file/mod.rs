@@ -210,6 +210,18 @@ pub fn write(scenario: &Scenario) -> Result<String, FileError> {
     Ok(text)
 }
 
+/// As [`write()`], in one line.
+///
+/// # Errors
+/// As [`write()`].
+pub(in crate::scenarios) fn write_short(scenario: &Scenario) -> Result<String, FileError> {
+    let layout = SceneFile::of(scenario);
+    let spelled = dialect().to_string(&layout);
+    spelled.map_err(|error| FileError::Write {
+        message: error.to_string(),
+    })
+}
+
 /// RON in which `Some` may be left out and a variant needs one pair of brackets only.
 fn dialect() -> ron::Options {
     ron::Options::default()
