@@ -28,6 +28,7 @@ use crate::scenarios::file::FileError;
 use crate::scenarios::library::OpenError;
 use crate::scenarios::share::ShareError;
 use judge::JudgeOptions;
+use picture::PictureOptions;
 use report::ReportOptions;
 use run::RunOptions;
 use sensitivity::SensitivityOptions;
@@ -97,14 +98,8 @@ enum Command {
         /// Built-in scene or scene file
         scene: String,
     },
-    /// Draw a run that `masse run` wrote, without running it again
-    Picture {
-        /// Record file
-        record: PathBuf,
-        /// The SVG file to write
-        #[arg(value_name = "FILE.svg")]
-        file: PathBuf,
-    },
+    /// Draw a scene, or a run that `masse run` wrote, which is not run again
+    Picture(PictureOptions),
     /// Compare every law with closed forms and with experiments: tables and pictures
     Judge(JudgeOptions),
     /// Measure speed against error of every solver: tables and pictures
@@ -192,9 +187,7 @@ pub fn main() -> ExitCode {
         Some(Command::Solve(options)) => solve::run(&options),
         Some(Command::Sensitivity(options)) => sensitivity::run(&options),
         Some(Command::Share { scene }) => share::share(&scene).map(|()| ExitCode::SUCCESS),
-        Some(Command::Picture { record, file }) => {
-            picture::draw(&record, &file).map(|()| ExitCode::SUCCESS)
-        }
+        Some(Command::Picture(options)) => picture::draw(&options).map(|()| ExitCode::SUCCESS),
         Some(Command::Judge(options)) => judge::run(&options),
         Some(Command::Report(options)) => report::run(&options),
         Some(Command::List) => list::list().map(|()| ExitCode::SUCCESS),

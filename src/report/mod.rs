@@ -5,5 +5,6 @@ pub mod chart;
 pub mod heat_map;
 pub mod judge;
 pub mod picture;
+pub mod raster;
 pub mod record_file;
 pub mod speed_and_error;

@@ -29,18 +29,47 @@ macro_rules! scene {
 
 /// Every built-in scene, in the order in which they are listed.
 pub const BUILT_IN: &[BuiltIn] = &[
+    // Breaks.
     scene!("break-eight"),
     scene!("break-nine"),
+    scene!("golden-break"),
+    // Spin and the two ways of two balls.
     scene!("stop-shot"),
     scene!("stun-shot"),
     scene!("follow"),
     scene!("draw-back"),
+    scene!("power-draw"),
     scene!("throw"),
-    scene!("cradle"),
-    scene!("three-cushion"),
+    scene!("throw-combo"),
+    // Curves and flights.
     scene!("masse"),
     scene!("jump-shot"),
-    scene!("gas"),
+    scene!("partial-jump"),
+    scene!("baby-jump"),
+    scene!("circular-follow"),
+    // Banks and kicks.
+    scene!("bank-cross-side"),
+    scene!("bank-cross-corner"),
+    scene!("bank-two-rails"),
+    scene!("bank-three-rails"),
+    scene!("kick-one-rail"),
+    scene!("kick-two-rails"),
+    scene!("kick-three-rails"),
+    scene!("three-cushion"),
+    scene!("dollar-bill"),
+    scene!("rail-hug"),
+    scene!("machine-gun"),
+    // Balls that touch.
+    scene!("cradle"),
+    scene!("newton-pocket"),
+    scene!("hustler-bank"),
+    scene!("carom-kick"),
+    scene!("frozen-kick"),
+    scene!("frozen-proposition"),
+    scene!("two-ball-spread"),
+    scene!("just-showing-off"),
+    scene!("butterfly"),
+    // The coursework and what is real of it.
     scene!("coursework-1-collisions"),
     scene!("coursework-2-grid"),
     scene!("coursework-2-grid-50"),
@@ -50,6 +79,9 @@ pub const BUILT_IN: &[BuiltIn] = &[
     scene!("real-backspin"),
     scene!("real-side-curve"),
     scene!("real-draw-english"),
+    scene!("given-backspin"),
+    scene!("given-curve"),
+    scene!("gas"),
 ];
 
 impl BuiltIn {

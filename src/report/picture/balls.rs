@@ -59,7 +59,7 @@ pub(super) fn ends(page: &Page, scene: &Scene, end: &[State]) -> Group {
 
 /// The balls in pockets, below the table.
 pub(super) fn tray(page: &Page, scene: &Scene, potted: &[usize]) -> Group {
-    let y = page.height() - Page::BELOW + 28.0;
+    let y = page.height() - page.list - Page::BELOW + 28.0;
     let radius = 12.0;
     let mut group = layer("potted").add(line_of_text(Page::MARGIN, y + 5.0, 14.0, "potted"));
     let mut x = Page::MARGIN + 72.0;

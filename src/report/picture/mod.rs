@@ -4,8 +4,12 @@
 
 mod balls;
 mod paths;
+mod set_up;
+mod style;
 mod table;
 mod trails;
+
+pub use style::Style;
 
 use glam::DVec2;
 use svg::Document;
@@ -21,7 +25,29 @@ const SIZE: f64 = 1200.0;
 /// The picture of a run as the text of an SVG file. Balls without a path are drawn where they lie.
 #[must_use]
 pub fn draw(title: &str, scene: &Scene, record: &Record) -> String {
+    draw_as(title, scene, record, Style::default())
+}
+
+/// The picture of a scene before its shot, as the text of an SVG file.
+#[must_use]
+pub fn draw_set_up(title: &str, scene: &Scene) -> String {
     let page = Page::around(scene);
+    let states: Vec<State> = scene.balls.iter().map(|ball| ball.state).collect();
+    let mut layers = vec![table::draw(&page, &scene.table)];
+    if let Some(planned) = &scene.shot {
+        layers.push(set_up::stroke(&page, scene, planned));
+    }
+    layers.push(balls::ends(&page, scene, &states));
+    document(&page, title, layers, &set_up::caption(scene))
+}
+
+/// As [`draw`], in a style.
+#[must_use]
+pub fn draw_as(title: &str, scene: &Scene, record: &Record, style: Style) -> String {
+    let mut page = Page::around(scene);
+    if style.numbers {
+        page.list = style::room_for_list(scene, &record.events);
+    }
     let end: Vec<State> = if record.end.len() == scene.balls.len() {
         record.end.clone()
     } else {
@@ -30,9 +56,14 @@ pub fn draw(title: &str, scene: &Scene, record: &Record) -> String {
     let potted: Vec<usize> = (0..end.len())
         .filter(|&i| end[i].motion == Motion::Pocketed)
         .collect();
+    let trails = trails::of(record);
     let mut layers = vec![
         table::draw(&page, &scene.table),
-        paths::draw(&page, scene, &trails::of(record)),
+        if style.by_motion {
+            style::paths(&page, &trails)
+        } else {
+            paths::draw(&page, scene, &trails)
+        },
         balls::starts(&page, scene),
         paths::marks(&page, scene, &record.events),
         balls::ends(&page, scene, &end),
@@ -40,6 +71,18 @@ pub fn draw(title: &str, scene: &Scene, record: &Record) -> String {
     if !potted.is_empty() {
         layers.push(balls::tray(&page, scene, &potted));
     }
+    if style.ghosts {
+        layers.insert(3, style::ghosts(&page, scene, &record.events));
+    }
+    if style.numbers {
+        layers.push(style::numbers(&page, scene, &record.events));
+    }
+    let caption = format!("{} events in {:.3} s", record.events.len(), record.end_time);
+    document(&page, title, layers, &caption)
+}
+
+/// A page with these layers.
+fn document(page: &Page, title: &str, layers: Vec<Group>, caption: &str) -> String {
     let mut document = Document::new()
         .set(
             "viewBox",
@@ -58,12 +101,11 @@ pub fn draw(title: &str, scene: &Scene, record: &Record) -> String {
     for layer in layers {
         document = document.add(layer);
     }
-    let caption = format!("{} events in {:.3} s", record.events.len(), record.end_time);
     document = document.add(line_of_text(
         Page::MARGIN,
-        page.height() - 16.0,
+        page.height() - page.list - 16.0,
         14.0,
-        &caption,
+        caption,
     ));
     let mut text = document.to_string();
     text.push('\n');
@@ -80,6 +122,8 @@ struct Page {
     rail: f64,
     /// Pixels in a metre.
     scale: f64,
+    /// Pixels at the bottom for the list of events.
+    list: f64,
 }
 
 impl Page {
@@ -106,6 +150,7 @@ impl Page {
             greatest,
             rail,
             scale: SIZE / size.max_element(),
+            list: 0.0,
         }
     }
 
@@ -114,7 +159,7 @@ impl Page {
     }
 
     fn height(&self) -> f64 {
-        self.length(self.greatest.y - self.least.y) + Self::ABOVE + Self::BELOW
+        self.length(self.greatest.y - self.least.y) + Self::ABOVE + Self::BELOW + self.list
     }
 
     /// Pixels of a length in m.

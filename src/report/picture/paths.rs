@@ -14,7 +14,7 @@ use crate::report::picture::{Page, layer, number};
 const TOLERANCE: f64 = 0.1;
 
 /// Most balls whose events are marked and whose paths are wide: with more, the lines would hide the picture.
-const CROWD: usize = 40;
+pub(super) const CROWD: usize = 40;
 
 /// One line for each ball that moved, in its colour.
 pub(super) fn draw(page: &Page, scene: &Scene, trails: &[Vec<State>]) -> Group {
@@ -91,7 +91,7 @@ fn ring(place: DVec2, radius: f64, colour: &str) -> Circle {
 }
 
 /// The points that a line needs to stay within [`TOLERANCE`] of all of them (Douglas & Peucker 1973).
-fn thinned(points: &[DVec2]) -> Vec<DVec2> {
+pub(super) fn thinned(points: &[DVec2]) -> Vec<DVec2> {
     let mut kept = vec![false; points.len()];
     kept[0] = true;
     kept[points.len() - 1] = true;

@@ -2,7 +2,12 @@
 
 mod command_line;
 mod expectations;
+mod library;
+mod pictures;
 mod refusals;
+mod searching;
+mod sensitivities;
+mod sharing;
 
 use masse::physics::exact::{self, Limits};
 use masse::physics::record::Record;
