@@ -87,7 +87,11 @@ macro_rules! or_return {
 pub(super) fn read(expected: &Expectation, scene: &Scene, record: &Record) -> Reading {
     let nothing = Reading::new(Shown::NoMoment, 2.0 * NEVER);
     // A record of another scene meets nothing.
-    if record.paths.len() != scene.balls.len() || record.paths.iter().any(Vec::is_empty) {
+    let count = scene.balls.len();
+    if record.paths.len() != count
+        || record.end.len() != count
+        || record.paths.iter().any(Vec::is_empty)
+    {
         return nothing;
     }
     let index = |name: &str| scene.ball_named(name);

@@ -41,14 +41,14 @@ proptest! {
     #[test]
     fn any_scene_comes_back_bit_for_bit(
         x in -1.2..1.2f64, z in -0.55..0.55f64, heading in -400.0..400.0f64, side in -0.35..0.35f64,
-        height in -0.35..0.35f64, speed in 0.0..20.0f64, spin in -1e3..1e3f64, title in "[ -~äöü\\n\"]{0,40}",
+        height in -0.35..0.35f64, speed in 0.0..20.0f64, spin in -1e3..1e3f64, title in proptest::collection::vec(any::<char>(), 0..40),
     ) {
         let mut scene = scenario(&format!(
             r#"(table: NineFoot, balls: [(name: "cue", position: ({x}, {z}), spin: (0, {spin}, 0))],
                 shot: (ball: "cue", heading_deg: {heading}, side: {side}, height: {height}, speed: {speed}),
                 expect: [Stays(ball: "cue")])"#
         ));
-        scene.title = title;
+        scene.title = title.into_iter().collect();
         let text = share::write(&scene).expect("it can be written");
         prop_assert!(text.bytes().all(|b| b.is_ascii_alphanumeric() || b"-_:".contains(&b)));
         let again = share::read(&text).expect("it reads back");
