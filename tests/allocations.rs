@@ -62,6 +62,32 @@ fn a_break_played_again_allocates_nothing() {
 }
 
 #[test]
+fn a_shot_of_a_search_played_and_judged_again_allocates_nothing() {
+    let scenario = masse::scenarios::file::parse(
+        r#"(table: NineFoot,
+            balls: [(name: "cue", position: (-0.6, 0.1)), (name: "1", position: (0.2, 0.25))],
+            shot: (ball: "cue", heading_deg: -10, speed: 3),
+            expect: [Potted(ball: "1", pocket: "foot left"), Order([Hit("cue", "1"), Rail("1"), Falls("1")]),
+                Near(ball: "cue", at: Position(-0.5, -0.3), within: 0.05), Stays(ball: "cue"),
+                Gap(ball: "cue", of: "1", least: 1), Time(of: Falls("1"), least: 1),
+                Advances(ball: "cue", from: Rail("cue", 9), most: 0)])"#,
+        "test",
+    )
+    .expect("a sound scene");
+    let mut player = masse::scenarios::search::Player::default();
+    let mut play = || {
+        let record = player.play(&scenario.scene).expect("a sound shot");
+        let missed = masse::scenarios::expect::miss(&scenario.scene, record, &scenario.expect);
+        assert!(missed > 0.0);
+        record.events.len() as u64
+    };
+    play();
+    let (blocks, events) = cost(play);
+    assert!(events > 5, "{events} events");
+    assert_eq!(blocks, 0, "{events} events");
+}
+
+#[test]
 fn a_gas_found_by_cells_allocates_nothing() {
     for laws in [Laws::ideal(), Laws::default()] {
         let count = 400_u32;

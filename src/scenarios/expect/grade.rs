@@ -165,7 +165,6 @@ fn away_from_contact(contact: &Contact, scene: &Scene, record: &Record, after: f
 
 /// How far a shot is from a moment that did not come.
 pub(super) fn away_from(moment: &Moment, scene: &Scene, record: &Record) -> f64 {
-    let away = |contact: &Contact| away_from_contact(contact, scene, record, 0.0);
     match moment {
         Moment::Hit(a, b) | Moment::After(a, b) => match (scene.ball_named(a), scene.ball_named(b))
         {
@@ -183,7 +182,9 @@ pub(super) fn away_from(moment: &Moment, scene: &Scene, record: &Record) -> f64 
             let found = record.events.iter().filter(is).count() as f64;
             STEP * (f64::from(*number) - found).max(0.0)
         }
-        Moment::Falls(ball) => away(&Contact::Falls(ball.clone())),
+        Moment::Falls(ball) => scene.ball_named(ball).map_or(UNKNOWN, |ball| {
+            potted(scene, record, ball, None).miss.min(UNKNOWN)
+        }),
         Moment::Start
         | Moment::End
         | Moment::At(_)

@@ -20,7 +20,7 @@ fn the_library_comes_back_bit_for_bit() {
         let scenario = built_in
             .scenario()
             .unwrap_or_else(|error| panic!("{error}"));
-        if scenario.scene.balls.len() > 40 {
+        if scenario.scene.balls.len() > 16 {
             continue;
         }
         let text = share::write(&scenario).unwrap_or_else(|error| panic!("{error}"));
