@@ -48,7 +48,7 @@ fn of_motion(motion: Motion) -> Option<(&'static str, &'static str)> {
         Motion::Rolling => Some(("#7fd0ff", "rolls")),
         Motion::Airborne => Some(("#f08bfb", "flies")),
         Motion::Gliding => Some(("#d5dae2", "glides")),
-        Motion::Tipping => Some(("#ff6b6b", "tips over the edge")),
+        Motion::Tipping => Some(("#ff6b6b", "tips")),
         Motion::Rest | Motion::Spinning | Motion::Pocketed | Motion::OffTable => None,
     }
 }
