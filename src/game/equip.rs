@@ -5,6 +5,7 @@ use bevy::prelude::*;
 use crate::game::aim::Aim;
 use crate::game::practice::{self, BREAK_SPEED, Practice, aim_at_next, obey, take_up};
 use crate::game::replay::Replay;
+use crate::game::saying::Saying;
 use crate::physics::equipment::{BallSet, Equipment};
 use crate::sim::SimSystems;
 use crate::sim::clock::Clock;
@@ -24,11 +25,15 @@ pub struct Equip {
 #[derive(Message, Clone, Debug, PartialEq, Eq)]
 pub struct ChoosePreset(pub String);
 
+/// The player asks for a scene by its name or its file.
+#[derive(Message, Clone, Debug, PartialEq, Eq)]
+pub struct OpenScene(pub String);
+
 /// Something a player should know.
 #[derive(Message, Clone, Debug, PartialEq, Eq)]
 pub struct Told {
     /// One line or more.
-    pub text: String,
+    pub text: Saying,
     /// Whether something went wrong.
     pub is_failure: bool,
 }
@@ -46,6 +51,7 @@ pub(super) fn plugin(app: &mut App) {
         .init_resource::<Waiting>()
         .add_message::<Equip>()
         .add_message::<ChoosePreset>()
+        .add_message::<OpenScene>()
         .add_message::<Told>()
         .add_systems(
             FixedUpdate,
@@ -102,7 +108,11 @@ fn equip(
         aim_at_next(&mut aim, &scene, practice.rack);
         if !rack {
             told.write(Told {
-                text: "The balls have no room on this table: racked again.".to_owned(),
+                text: Saying::new(
+                    "notice-no-room",
+                    &[],
+                    "The balls have no room on this table: racked again.",
+                ),
                 is_failure: false,
             });
         }

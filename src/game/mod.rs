@@ -11,6 +11,8 @@ pub mod practice;
 pub mod preview;
 pub mod replay;
 pub mod rules;
+pub mod saying;
+pub mod settings;
 pub mod target;
 pub mod view;
 pub mod volume;
@@ -28,8 +30,8 @@ impl Plugin for GamePlugin {
             lift::plugin,
             practice::plugin,
             replay::plugin,
+            settings::plugin,
             view::plugin,
-            volume::plugin,
         ));
     }
 }

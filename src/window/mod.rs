@@ -8,7 +8,10 @@ mod camera;
 mod display;
 mod hud;
 mod input;
+pub mod language;
+mod menu;
 mod pace;
+pub mod page;
 mod preset;
 mod render;
 mod shot_ui;
@@ -25,14 +28,25 @@ use bevy::prelude::*;
 use bevy_egui::{EguiPlugin, EguiPreUpdateSet, EguiPrimaryContextPass};
 use leafwing_input_manager::plugin::InputManagerSystem;
 
+use crate::game::settings::{SettingsFile, file};
 use crate::game::{GamePlugin, practice};
 use crate::scenarios::file::Scenario;
 use crate::sim::SimPlugin;
 use crate::sim::playfield::lay_out;
+use crate::window::page::Screen;
 
 /// The order of one frame.
+///
+/// While the menu is open nothing is played: `Input` and `Ui` are left out.
 #[derive(SystemSet, Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum WindowSystems {
+    /// The menu is steered. Runs in [`PreUpdate`], before `Input`; and laid out, last in [`EguiPrimaryContextPass`].
+    Menu,
+    /// A control that the settings ask for is taken. Runs in [`PreUpdate`], after `Menu`.
+    Asking,
+    /// What is open is closed. Runs in [`PreUpdate`], before `Input`, so that all see the same when a key closes one thing
+    /// after the other.
+    Close,
     /// Keys and pointer become aim, camera input and messages. Runs in [`PreUpdate`]: once a frame, so that no press is
     /// lost between the fixed ticks or counted twice.
     Input,
@@ -54,20 +68,34 @@ impl Plugin for WindowPlugin {
         app.init_schedule(EguiPrimaryContextPass)
             .configure_sets(
                 PreUpdate,
-                WindowSystems::Input
+                (
+                    WindowSystems::Menu,
+                    WindowSystems::Asking,
+                    WindowSystems::Close.run_if(in_state(Screen::Table)),
+                    WindowSystems::Input.run_if(in_state(Screen::Table)),
+                )
+                    .chain()
                     .after(InputManagerSystem::ManualControl)
                     .after(EguiPreUpdateSet::ProcessInput),
             )
             .configure_sets(
                 EguiPrimaryContextPass,
-                (WindowSystems::Ui, WindowSystems::Overlay).chain(),
+                (
+                    WindowSystems::Ui.run_if(in_state(Screen::Table)),
+                    WindowSystems::Overlay,
+                    WindowSystems::Menu,
+                )
+                    .chain(),
             )
             .add_plugins((
                 picture,
+                language::plugin,
+                page::plugin,
                 action::plugin,
                 input::plugin,
                 shot_ui::plugin,
                 hud::plugin,
+                menu::plugin,
                 sound::plugin,
                 preset::plugin,
             ));
@@ -112,6 +140,7 @@ pub fn play(scenario: Option<Scenario>, source: Option<Source>) -> Result<AppExi
     let mut app = display::on_screen(|quality| {
         let mut app = App::new();
         app.insert_resource(quality)
+            .insert_resource(SettingsFile(file::place()))
             .add_plugins(engine())
             .add_plugins(windowed());
         app

@@ -6,9 +6,14 @@ use std::time::{Duration, SystemTime};
 use bevy::prelude::*;
 use bevy::time::common_conditions::on_real_timer;
 
-use crate::game::equip::{ChoosePreset, Equip, PresetInUse, Told};
+use crate::game::aim::Aim;
+use crate::game::equip::{ChoosePreset, Equip, OpenScene, PresetInUse, Told};
+use crate::game::practice::Practice;
+use crate::game::saying::Saying;
 use crate::physics::equipment::{BallSet, Equipment};
 use crate::scenarios::{library, preset};
+use crate::sim::messages::LoadScene;
+use crate::sim::playfield::{BallQuery, Playfield, snapshot};
 
 /// How often the files are looked at.
 const LOOK: Duration = Duration::from_millis(300);
@@ -39,6 +44,7 @@ pub(super) fn plugin(app: &mut App) {
         Last,
         (
             choose.run_if(on_message::<ChoosePreset>),
+            lay_out.run_if(on_message::<OpenScene>),
             follow.run_if(on_real_timer(LOOK)),
         )
             .chain(),
@@ -128,6 +134,11 @@ fn stamp(file: &Path) -> Stamp {
     Some((known.modified().ok()?, known.len()))
 }
 
+/// The key of the name of a built-in preset.
+fn preset_key(name: &str) -> String {
+    format!("preset-{}", name.replace('_', "-"))
+}
+
 /// Opens the preset that was asked for and racks with it.
 fn choose(
     mut asked: MessageReader<ChoosePreset>,
@@ -150,17 +161,58 @@ fn choose(
                 rack: true,
             });
             told.write(Told {
-                text: opened.title,
+                text: Saying::new(preset_key(name), &[], opened.title),
                 is_failure: false,
             });
         }
         Err(error) => {
             told.write(Told {
-                text: error,
+                text: error.into(),
                 is_failure: true,
             });
         }
     }
+}
+
+/// Opens the scene that was asked for. What lay on the table can be undone to.
+#[expect(
+    clippy::too_many_arguments,
+    reason = "what a scene brings and what it replaces"
+)]
+fn lay_out(
+    mut asked: MessageReader<OpenScene>,
+    mut followed: ResMut<Followed>,
+    mut in_use: ResMut<PresetInUse>,
+    mut practice: ResMut<Practice>,
+    mut load: MessageWriter<LoadScene>,
+    mut told: MessageWriter<Told>,
+    aim: Res<Aim>,
+    playfield: Res<Playfield>,
+    balls: BallQuery,
+) {
+    let Some(OpenScene(name)) = asked.read().last() else {
+        return;
+    };
+    let source = Source::Scene(name.clone());
+    let opened = open(&source).and_then(|opened| {
+        let scenario = library::open(name).map_err(|error| error.to_string())?;
+        Ok((opened, scenario.scene))
+    });
+    let text = match opened {
+        Ok((opened, scene)) => {
+            let key = format!("scene-{name}");
+            followed.watch(opened.files);
+            followed.source = Some(source);
+            in_use.0 = opened.preset;
+            practice.history.laid(snapshot(&playfield, &balls), *aim);
+            load.write(LoadScene(scene));
+            Ok(Saying::new(key, &[], opened.title))
+        }
+        Err(error) => Err(error.into()),
+    };
+    let is_failure = text.is_err();
+    let (Ok(text) | Err(text)) = text;
+    told.write(Told { text, is_failure });
 }
 
 /// Reads what has changed again. A file that is no good now changes nothing.
@@ -186,13 +238,21 @@ fn follow(
                 rack: false,
             });
             told.write(Told {
-                text: format!("{name} has changed: played with from the next shot on."),
+                text: Saying::new(
+                    "notice-file-changed",
+                    &[("name", &name)],
+                    format!("{name} has changed: played with from the next shot on."),
+                ),
                 is_failure: false,
             });
         }
         Err(error) => {
             told.write(Told {
-                text: format!("{error}\nPlaying on with what it said before."),
+                text: Saying::new(
+                    "notice-file-no-good",
+                    &[("error", &error)],
+                    format!("{error}\nPlaying on with what it said before."),
+                ),
                 is_failure: true,
             });
         }
@@ -253,7 +313,11 @@ mod tests {
         assert!(!equip.rack && told.is_some_and(|told| !told.is_failure));
         write("(base: \"pool\", set: {\"laws.cushion.restitution\": 1.7})");
         let (equip, told) = look(&mut app);
-        let text = told.filter(|told| told.is_failure).expect("an error").text;
+        let text = told
+            .filter(|told| told.is_failure)
+            .expect("an error")
+            .text
+            .english;
         assert_eq!(equip, None);
         for part in [
             "mine.ron",

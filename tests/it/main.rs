@@ -15,8 +15,12 @@ mod frames;
 mod hard;
 mod judge;
 mod judges;
+#[cfg(feature = "window")]
+mod languages;
 mod live_exact;
 mod matches;
+#[cfg(feature = "window")]
+mod menu;
 mod practice;
 mod presets;
 mod properties;
@@ -27,6 +31,7 @@ mod saved_tables;
 mod scenarios;
 mod scene_files;
 mod schedules;
+mod settings;
 mod speed_report;
 #[cfg(feature = "window")]
 mod window;

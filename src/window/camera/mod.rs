@@ -9,6 +9,7 @@ use bevy::prelude::*;
 
 use crate::game::aim::Aim;
 use crate::game::replay::Replay;
+use crate::game::settings::Settings;
 use crate::game::view::{CameraInput, View};
 use crate::sim::clock::Clock;
 use crate::sim::components::{BallIndex, MotionKind, Position};
@@ -43,6 +44,7 @@ fn follow(
     aim: Res<Aim>,
     clock: Res<Clock>,
     replay: Res<Replay>,
+    settings: Res<Settings>,
     playfield: Res<Playfield>,
     balls: Query<(&BallIndex, &Position, &MotionKind)>,
     mut input: MessageReader<CameraInput>,
@@ -67,7 +69,13 @@ fn follow(
     for input in input.read() {
         rig.steer(view.camera, input);
     }
-    let pose = rig.advance(view.camera, &surroundings, time.delta_secs());
+    // Whoever wants less motion sees the camera where it would come to rest.
+    let seconds = if settings.reduced_motion {
+        f32::INFINITY
+    } else {
+        time.delta_secs()
+    };
+    let pose = rig.advance(view.camera, &surroundings, seconds);
     **transform = Transform::from_translation(pose.eye).with_rotation(pose.rotation);
     if let Projection::Perspective(perspective) = &mut **projection {
         perspective.fov = pose.fov;

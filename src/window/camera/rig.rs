@@ -90,7 +90,7 @@ impl Rig {
         }
     }
 
-    /// The pose of the next frame, `dt` s after the last.
+    /// The pose of the next frame, `dt` s after the last; after infinite time everything has come to rest.
     pub fn advance(&mut self, mode: CameraMode, around: &Surroundings, dt: f32) -> Pose {
         if let Some(ball) = around.ball {
             let share = 1.0 - libm::expf(-dt / CATCH_UP);
@@ -107,16 +107,16 @@ impl Rig {
             self.mode = mode;
         }
         let goal = self.goal(mode, around);
-        let pose = match &mut self.from {
-            Some((from, left)) => {
-                *left *= libm::expf(-dt / EASE);
-                goal.towards(from, smooth(*left))
+        if let Some((_, left)) = &mut self.from {
+            *left *= libm::expf(-dt / EASE);
+            if *left < 1e-3 {
+                self.from = None;
             }
+        }
+        let pose = match &self.from {
+            Some((from, left)) => goal.towards(from, smooth(*left)),
             None => goal,
         };
-        if self.from.is_some_and(|(_, left)| left < 1e-3) {
-            self.from = None;
-        }
         self.shown = Some(pose);
         pose
     }
@@ -217,6 +217,28 @@ mod tests {
         let far = seen(&pose, around.aspect, ball + 0.5 * around.forward);
         assert!(near.x.abs() < 1e-5 && far.x.abs() < 1e-5);
         assert!(far.y > near.y && near.y > -1.0);
+    }
+
+    #[test]
+    fn without_motion_a_change_arrives_at_once() {
+        let around = around(1.78);
+        let mut rig = Rig::default();
+        rig.advance(CameraMode::BehindCue, &around, f32::INFINITY);
+        let goal = Rig::default().advance(CameraMode::Overhead, &around, 0.0);
+        assert_eq!(
+            rig.advance(CameraMode::Overhead, &around, f32::INFINITY),
+            goal
+        );
+        let elsewhere = Surroundings {
+            ball: Some(Vec3::new(0.8, 0.03, -0.4)),
+            ..around
+        };
+        let mut fresh = Rig::default();
+        let goal = fresh.advance(CameraMode::BehindCue, &elsewhere, 0.0);
+        assert_eq!(
+            rig.advance(CameraMode::BehindCue, &elsewhere, f32::INFINITY),
+            goal
+        );
     }
 
     #[test]

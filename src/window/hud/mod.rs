@@ -1,20 +1,21 @@
 //! What lies over the picture: a line of status, notices, the help with every key.
 
 mod help;
+mod labels;
 mod notice;
 mod replay;
 mod status;
 
 use bevy::prelude::*;
+use bevy_egui::EguiPrimaryContextPass;
 use bevy_egui::input::EguiWantsInput;
-use bevy_egui::{EguiPreUpdateSet, EguiPrimaryContextPass};
-use leafwing_input_manager::plugin::InputManagerSystem;
 use leafwing_input_manager::prelude::ActionState;
 
 use crate::game::practice::Practice;
 use crate::game::replay::Replay;
 use crate::window::WindowSystems;
 use crate::window::action::Action;
+use crate::window::page::{AddPages, Open, Page, PageId, Screen};
 
 /// Whether the help is open.
 #[derive(Resource, Debug, Default)]
@@ -25,34 +26,38 @@ struct Help {
 pub(super) fn plugin(app: &mut App) {
     app.init_resource::<Help>()
         .init_resource::<notice::Notices>()
-        .add_systems(Startup, notice::welcome)
-        .add_systems(
-            PreUpdate,
-            // Before the others, so that all see the same state when a key closes one thing after the other.
-            keys.after(InputManagerSystem::ManualControl)
-                .after(EguiPreUpdateSet::ProcessInput)
-                .before(WindowSystems::Input),
+        .add_page(
+            Page {
+                id: PageId::HELP,
+                title: "help-title",
+                place: Some((PageId::MAIN, 40)),
+            },
+            help::page,
         )
+        .add_systems(Startup, notice::welcome)
+        .add_systems(PreUpdate, keys.in_set(WindowSystems::Close))
         .add_systems(Update, notice::listen)
         .add_systems(
             EguiPrimaryContextPass,
-            (status::show, replay::show, notice::show, help::show)
+            (
+                labels::show,
+                (status::show, replay::show).run_if(in_state(Screen::Table)),
+                notice::show,
+                help::show.run_if(in_state(Screen::Table)),
+            )
                 .chain()
                 .in_set(WindowSystems::Overlay),
         );
 }
 
-/// Opens the help; closes what is open; quits when asked twice.
-#[expect(clippy::too_many_arguments, reason = "everything that can be closed")]
+/// Opens the help; closes what is open; opens the menu.
 fn keys(
     actions: Single<&ActionState<Action>>,
     egui: Res<EguiWantsInput>,
-    time: Res<Time<Real>>,
     replay: Res<Replay>,
     mut help: ResMut<Help>,
     mut practice: ResMut<Practice>,
-    mut notices: ResMut<notice::Notices>,
-    mut commands: Commands,
+    mut open: ResMut<Open>,
 ) {
     if egui.wants_any_keyboard_input() {
         return;
@@ -69,8 +74,7 @@ fn keys(
         // The replay itself is left by its own keys.
     } else if practice.placing {
         practice.placing = false;
-    } else if notices.quits(time.elapsed()) {
-        // Through commands: anybody may quit, in no order.
-        commands.write_message(AppExit::Success);
+    } else {
+        open.go(PageId::MAIN);
     }
 }

@@ -6,49 +6,37 @@ use bevy::prelude::*;
 use bevy_egui::{EguiContexts, egui};
 
 use crate::game::equip::Told;
+use crate::game::saying::Saying;
 use crate::physics::record::EventKind;
 use crate::sim::messages::{Failed, Struck};
+use crate::window::language::Language;
 
 /// How long a notice stays.
 const STAY: Duration = Duration::from_secs(8);
-/// Within which a second press quits.
-const TWICE: Duration = Duration::from_secs(3);
 /// Notices shown at once.
 const SHOWN: usize = 3;
 
 /// What the player is told.
 #[derive(Resource, Debug, Default)]
 pub(super) struct Notices {
-    /// Text, whether it tells of a failure, and until when it stays.
-    list: Vec<(String, bool, Duration)>,
-    /// Until when another press quits.
-    quit_until: Duration,
+    /// What is said, whether it tells of a failure, and until when it stays.
+    list: Vec<(Saying, bool, Duration)>,
 }
 
 impl Notices {
-    fn tell(&mut self, text: String, is_failure: bool, until: Duration) {
-        self.list.retain(|(old, ..)| *old != text);
-        self.list.push((text, is_failure, until));
+    fn tell(&mut self, saying: Saying, is_failure: bool, until: Duration) {
+        self.list.retain(|(old, ..)| *old != saying);
+        self.list.push((saying, is_failure, until));
         if self.list.len() > SHOWN {
             self.list.remove(0);
         }
-    }
-
-    /// Whether this press of the key quits; the first one only asks.
-    pub(super) fn quits(&mut self, now: Duration) -> bool {
-        if now < self.quit_until {
-            return true;
-        }
-        self.quit_until = now + TWICE;
-        self.tell("Press Esc again to quit.".to_owned(), false, now + TWICE);
-        false
     }
 }
 
 /// Tells a new player how to begin.
 pub(super) fn welcome(mut notices: ResMut<Notices>) {
-    let text = "Drag to aim, wheel for power, Space to strike. H shows every key.";
-    notices.tell(text.to_owned(), false, 2 * STAY);
+    let english = "Drag to aim, wheel for power, Space to strike. H shows every key.";
+    notices.tell(Saying::new("notice-welcome", &[], english), false, 2 * STAY);
 }
 
 /// Tells of a shot that could not be followed, of a miscue, of what others have to tell, and forgets what is old.
@@ -60,16 +48,19 @@ pub(super) fn listen(
     mut notices: ResMut<Notices>,
 ) {
     for failure in failed.read() {
-        let text = format!(
-            "The solver stopped at {:.4} s: {}. The table is back as it was before the shot.",
-            failure.time, failure.reason
+        let (at, reason) = (format!("{:.4}", failure.time), failure.reason.to_string());
+        let saying = Saying::new(
+            "notice-solver",
+            &[("time", &at), ("reason", &reason)],
+            format!("The solver stopped at {at} s: {reason}. The table is back as it was."),
         );
-        notices.tell(text, true, time.elapsed() + STAY);
+        notices.tell(saying, true, time.elapsed() + STAY);
     }
     for Struck(event) in struck.read() {
         if event.kind == (EventKind::Strike { miscue: true }) {
-            let text = "Miscue: the tip slipped off the ball.".to_owned();
-            notices.tell(text, true, time.elapsed() + STAY);
+            let english = "Miscue: the tip slipped off the ball.";
+            let saying = Saying::new("notice-miscue", &[], english);
+            notices.tell(saying, true, time.elapsed() + STAY);
         }
     }
     for Told { text, is_failure } in told.read() {
@@ -82,7 +73,11 @@ pub(super) fn listen(
 }
 
 /// Lays out the notices; a click takes one away.
-pub(super) fn show(mut contexts: EguiContexts, mut notices: ResMut<Notices>) -> Result {
+pub(super) fn show(
+    mut contexts: EguiContexts,
+    language: Res<Language>,
+    mut notices: ResMut<Notices>,
+) -> Result {
     if notices.list.is_empty() {
         return Ok(());
     }
@@ -91,7 +86,8 @@ pub(super) fn show(mut contexts: EguiContexts, mut notices: ResMut<Notices>) -> 
     egui::Area::new(egui::Id::new("notices"))
         .anchor(egui::Align2::CENTER_BOTTOM, egui::vec2(0.0, -44.0))
         .show(context, |ui| {
-            for (i, (text, is_failure, _)) in notices.list.iter().enumerate() {
+            for (i, (saying, is_failure, _)) in notices.list.iter().enumerate() {
+                let text = language.say(saying);
                 let color = if *is_failure {
                     ui.visuals().error_fg_color
                 } else {

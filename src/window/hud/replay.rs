@@ -6,6 +6,8 @@ use bevy_egui::{EguiContexts, egui};
 use crate::game::replay::{Playback, Replay, ReplayCommand};
 use crate::sim::clock::Clock;
 use crate::sim::recorder::Recorder;
+use crate::window::action::Action;
+use crate::window::language::Language;
 
 /// Paces the viewer can choose from.
 const RATES: [f64; 6] = [-1.0, -0.25, 0.1, 0.25, 1.0, 4.0];
@@ -16,6 +18,7 @@ pub(super) fn show(
     replay: Res<Replay>,
     recorder: Res<Recorder>,
     clock: Res<Clock>,
+    language: Res<Language>,
     mut commands: MessageWriter<ReplayCommand>,
 ) -> Result {
     let has_shot = !clock.moving && !recorder.events.is_empty();
@@ -31,9 +34,9 @@ pub(super) fn show(
                 .corner_radius(4.0)
                 .inner_margin(egui::Margin::symmetric(8, 4))
                 .show(ui, |ui| match &replay.0 {
-                    Some(playback) => bar(ui, playback, &mut commands),
+                    Some(playback) => bar(ui, &language, playback, &mut commands),
                     None => {
-                        if ui.button("Replay").clicked() {
+                        if ui.button(language.text("replay-start")).clicked() {
                             commands.write(ReplayCommand::Start);
                         }
                     }
@@ -42,18 +45,32 @@ pub(super) fn show(
     Ok(())
 }
 
-fn bar(ui: &mut egui::Ui, playback: &Playback, commands: &mut MessageWriter<ReplayCommand>) {
+fn bar(
+    ui: &mut egui::Ui,
+    language: &Language,
+    playback: &Playback,
+    commands: &mut MessageWriter<ReplayCommand>,
+) {
     let mut send = |command| {
         commands.write(command);
     };
     ui.horizontal(|ui| {
-        let hold = if playback.playing { "Hold" } else { "Go on" };
-        for (name, hint, command) in [
-            ("<", "to the event before", ReplayCommand::StepEvent(false)),
-            (hold, "hold or go on", ReplayCommand::TogglePlay),
-            (">", "to the next event", ReplayCommand::StepEvent(true)),
+        let hold = language.text(if playback.playing {
+            "replay-hold"
+        } else {
+            "replay-go-on"
+        });
+        for (name, action, command) in [
+            ("<", Action::ReplayPrevious, ReplayCommand::StepEvent(false)),
+            (hold, Action::ReplayHold, ReplayCommand::TogglePlay),
+            (">", Action::ReplayNext, ReplayCommand::StepEvent(true)),
         ] {
-            if ui.button(name).on_hover_text(hint).clicked() {
+            let hint = action.key();
+            if ui
+                .button(name)
+                .on_hover_text(language.text(&hint))
+                .clicked()
+            {
                 send(command);
             }
         }
@@ -75,10 +92,13 @@ fn bar(ui: &mut egui::Ui, playback: &Playback, commands: &mut MessageWriter<Repl
             }
         }
         let mut looping = playback.looping;
-        if ui.checkbox(&mut looping, "Loop").changed() {
+        if ui
+            .checkbox(&mut looping, language.text("replay-loop"))
+            .changed()
+        {
             send(ReplayCommand::ToggleLoop);
         }
-        if ui.button("Back to the table").clicked() {
+        if ui.button(language.text("replay-stop")).clicked() {
             send(ReplayCommand::Stop);
         }
     });

@@ -5,11 +5,13 @@ use bevy_egui::{EguiContexts, egui};
 
 use crate::game::aim::Aim;
 use crate::game::practice::Practice;
-use crate::game::volume::Volume;
+use crate::game::settings::Settings;
 use crate::physics::record::EventKind;
 use crate::sim::clock::Clock;
 use crate::sim::components::{BallIndex, BallName, MotionKind};
 use crate::sim::recorder::Recorder;
+use crate::window::action::{Action, Bindings, Latched};
+use crate::window::language::Language;
 
 /// What stands between the parts of the line.
 const BETWEEN: &str = "  ·  ";
@@ -17,28 +19,39 @@ const BETWEEN: &str = "  ·  ";
 type Balls<'w, 's> = Query<'w, 's, (&'static BallIndex, &'static BallName, &'static MotionKind)>;
 
 /// Lays out the line.
+#[expect(clippy::too_many_arguments, reason = "everything the line tells of")]
 pub(super) fn show(
     mut contexts: EguiContexts,
     aim: Res<Aim>,
     practice: Res<Practice>,
-    volume: Res<Volume>,
+    settings: Res<Settings>,
+    language: Res<Language>,
+    bindings: Res<Bindings>,
+    latched: Res<Latched>,
     clock: Res<Clock>,
     recorder: Res<Recorder>,
     balls: Balls,
 ) -> Result {
     let context = contexts.ctx_mut()?;
+    let first = |action| {
+        let control = bindings.of(action).first();
+        control.map_or_else(String::new, |control| control.name(&language))
+    };
     let mut parts = Vec::new();
     if clock.moving {
-        parts.push(format!("Rolling {:.1} s", clock.time()));
+        let time = format!("{:.1}", clock.time());
+        parts.push(language.with("status-rolling", &[("time", time.into())]));
     } else if practice.placing {
-        parts.push("Placing: drag balls; B or Esc to go on aiming".to_owned());
+        let key = first(Action::Place);
+        parts.push(language.with("status-placing", &[("key", key.into())]));
     } else {
-        parts.push(aimed(&aim));
+        parts.push(aimed(&aim, &language));
         if balls
             .iter()
             .any(|ball| ball.0.0 == aim.ball && !ball.2.0.in_play())
         {
-            parts.push("the cue ball is in a pocket: I brings it back".to_owned());
+            let key = first(Action::InHand);
+            parts.push(language.with("status-pocketed-cue-ball", &[("key", key.into())]));
         }
     }
     if recorder
@@ -46,14 +59,19 @@ pub(super) fn show(
         .iter()
         .any(|event| event.kind == (EventKind::Strike { miscue: true }))
     {
-        parts.push("miscue".to_owned());
+        parts.push(language.text("status-miscue").to_owned());
     }
-    let potted = potted(&recorder, &balls);
+    let potted = potted(&recorder, &balls, settings.marks.labels);
     if !potted.is_empty() {
-        parts.push(format!("potted {}", potted.join(", ")));
+        let balls = potted.join(", ");
+        parts.push(language.with("status-potted", &[("balls", balls.into())]));
     }
-    if volume.muted {
-        parts.push("muted".to_owned());
+    if settings.volume.muted {
+        parts.push(language.text("status-muted").to_owned());
+    }
+    for action in latched.iter() {
+        let key = format!("status-{}", action.key());
+        parts.push(language.text(&key).to_owned());
     }
     egui::Area::new(egui::Id::new("status"))
         .anchor(egui::Align2::LEFT_BOTTOM, egui::vec2(8.0, -8.0))
@@ -75,40 +93,51 @@ pub(super) fn show(
     Ok(())
 }
 
-fn aimed(aim: &Aim) -> String {
+fn aimed(aim: &Aim, language: &Language) -> String {
     let shot = &aim.shot;
     let mut parts = vec![
         format!("{:.3}°", aim.heading_deg()),
         format!("{:.2} m/s", shot.speed),
     ];
-    let side = if shot.side < 0.0 { "left" } else { "right" };
-    let height = if shot.height < 0.0 { "draw" } else { "follow" };
+    let side = if shot.side < 0.0 {
+        "status-left"
+    } else {
+        "status-right"
+    };
+    let height = if shot.height < 0.0 {
+        "status-draw"
+    } else {
+        "status-follow"
+    };
     for (offset, name) in [(shot.side, side), (shot.height, height)] {
         if offset != 0.0 {
-            parts.push(format!("{:.2} R {name}", offset.abs()));
+            let offset = format!("{:.2} R", offset.abs());
+            parts.push(language.with(name, &[("offset", offset.into())]));
         }
     }
     if shot.elevation > 0.0 {
-        let least = if shot.elevation > aim.wish {
-            " (least)"
+        let key = if shot.elevation > aim.wish {
+            "status-raised"
         } else {
-            ""
+            "status-elevation"
         };
-        parts.push(format!("{:.1}° up{least}", shot.elevation.to_degrees()));
+        let angle = format!("{:.1}°", shot.elevation.to_degrees());
+        parts.push(language.with(key, &[("angle", angle.into())]));
     }
     parts.join(BETWEEN)
 }
 
-fn potted<'a>(recorder: &Recorder, balls: &'a Balls) -> Vec<&'a str> {
+/// The balls potted in the last shot; with marks for solids and stripes where the player wants labels.
+fn potted(recorder: &Recorder, balls: &Balls, marked: bool) -> Vec<String> {
     recorder
         .events
         .iter()
         .filter(|event| matches!(event.kind, EventKind::Pocketed { .. }))
-        .filter_map(|event| {
-            balls
-                .iter()
-                .find(|ball| ball.0.0 == event.first.ball)
-                .map(|ball| ball.1.0.as_str())
+        .filter_map(|event| balls.iter().find(|ball| ball.0.0 == event.first.ball))
+        .map(|(_, name, _)| match name.0.parse::<u8>() {
+            Ok(number @ 1..=8) if marked => format!("({number})"),
+            Ok(number @ 9..=15) if marked => format!("=[{number}]="),
+            _ => name.0.clone(),
         })
         .collect()
 }

@@ -7,6 +7,7 @@ use leafwing_input_manager::prelude::ActionState;
 
 use super::{Actions, fineness};
 use crate::game::aim::Aim;
+use crate::game::practice::Practice;
 use crate::game::target;
 use crate::sim::playfield::{BallQuery, Playfield, snapshot};
 use crate::window::action::Action;
@@ -29,14 +30,17 @@ const POWER: f64 = 0.1;
 pub(super) fn aim(
     actions: Actions,
     time: Res<Time<Real>>,
+    practice: Res<Practice>,
     mut aim: ResMut<Aim>,
-    mut held: Local<Option<(Action, Duration)>>,
+    mut held: ResMut<HeldKey>,
     playfield: Res<Playfield>,
     balls: BallQuery,
 ) {
-    let mut steps = |more: Action, less: Action| {
-        steps(&actions, more, &time, &mut held) - steps(&actions, less, &time, &mut held)
-    };
+    // The same keys move balls then.
+    if practice.placing {
+        return;
+    }
+    let mut steps = |more, less| held.steps(&actions, &time, more, less);
     let fine = fineness(&actions);
     let turn = steps(Action::AimLeft, Action::AimRight) * TURN_DEG * fine;
     let raise = steps(Action::ElevationUp, Action::ElevationDown) * RAISE_DEG * fine;
@@ -70,6 +74,23 @@ pub(super) fn aim(
     }
 }
 
+/// The key pressed last of those that go on while they are held, and since when.
+#[derive(Resource, Debug, Default)]
+pub(super) struct HeldKey(Option<(Action, Duration)>);
+
+impl HeldKey {
+    /// Steps of one action less those of its opposite in this frame.
+    pub(super) fn steps(
+        &mut self,
+        actions: &ActionState<Action>,
+        time: &Time<Real>,
+        more: Action,
+        less: Action,
+    ) -> f64 {
+        steps(actions, more, time, &mut self.0) - steps(actions, less, time, &mut self.0)
+    }
+}
+
 /// Steps of this action in this frame.
 fn steps(
     actions: &ActionState<Action>,
@@ -77,6 +98,11 @@ fn steps(
     time: &Time<Real>,
     held: &mut Option<(Action, Duration)>,
 ) -> f64 {
+    // A stick goes on at once, and the finer the less it is moved.
+    let moved = f64::from(actions.button_value(&action));
+    if actions.pressed(&action) && moved < 1.0 {
+        return RATE * moved * moved * time.delta_secs_f64();
+    }
     if actions.just_pressed(&action) {
         *held = Some((action, time.elapsed()));
         return 1.0;

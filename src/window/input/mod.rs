@@ -5,6 +5,7 @@
 mod drag;
 mod keys;
 mod motion;
+mod place;
 mod replay;
 mod stroke;
 mod table;
@@ -25,6 +26,8 @@ pub(super) fn plugin(app: &mut App) {
     app.init_resource::<drag::Grip>()
         .init_resource::<motion::Motion>()
         .init_resource::<stroke::Cueing>()
+        .init_resource::<keys::HeldKey>()
+        .init_resource::<place::Chosen>()
         .add_systems(
             PreUpdate,
             (
@@ -33,6 +36,7 @@ pub(super) fn plugin(app: &mut App) {
                     table::command,
                     view::switch,
                     keys::aim,
+                    place::by_keys,
                     stroke::ask.run_if(not_stroking.and_then(not(replay::is_on))),
                 )
                     .chain()

@@ -3,8 +3,8 @@
 use bevy::prelude::*;
 
 use super::Actions;
+use crate::game::settings::Settings;
 use crate::game::view::{CameraInput, CameraMode, View};
-use crate::game::volume::Volume;
 use crate::sim::clock::Clock;
 use crate::window::action::Action;
 
@@ -13,12 +13,17 @@ const FAST: f32 = 8.0;
 /// Powers of e by which a held key zooms in a second.
 const ZOOM_RATE: f32 = 1.2;
 
+/// Radians by which a held key turns the camera in a second.
+const ORBIT_RATE: f32 = 1.2;
+/// Metres by which a held key moves the camera in a second.
+const PAN_RATE: f32 = 0.6;
+
 /// Cameras, guides, trails, zoom, sound.
 pub(super) fn switch(
     actions: Actions,
     time: Res<Time<Real>>,
     mut view: ResMut<View>,
-    mut volume: ResMut<Volume>,
+    mut settings: ResMut<Settings>,
     mut camera: MessageWriter<CameraInput>,
     mut before: Local<CameraMode>,
 ) {
@@ -47,7 +52,26 @@ pub(super) fn switch(
         view.trails = !view.trails;
     }
     if actions.just_pressed(&Action::Mute) {
-        volume.muted = !volume.muted;
+        settings.volume.muted = !settings.volume.muted;
+    }
+    let way = |more, less| f32::from(actions.pressed(&more)) - f32::from(actions.pressed(&less));
+    let turn = Vec2::new(
+        way(Action::LookRight, Action::LookLeft),
+        way(Action::LookUp, Action::LookDown),
+    );
+    if turn != Vec2::ZERO {
+        let seconds = time.delta_secs();
+        camera.write(if actions.pressed(&Action::Fine) {
+            CameraInput {
+                pan: PAN_RATE * seconds * turn,
+                ..default()
+            }
+        } else {
+            CameraInput {
+                orbit: ORBIT_RATE * seconds * turn,
+                ..default()
+            }
+        });
     }
     for (action, sign) in [(Action::ZoomIn, 1.0), (Action::ZoomOut, -1.0)] {
         if actions.pressed(&action) {

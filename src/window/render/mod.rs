@@ -53,6 +53,7 @@ pub(super) fn plugin(app: &mut App) {
             .chain()
     };
     app.init_resource::<RenderQuality>()
+        .add_systems(First, quality::follow)
         .configure_sets(Startup, order())
         .configure_sets(RunFixedMainLoop, order().in_set(WindowSystems::Present))
         .configure_sets(Update, order())

@@ -3,6 +3,8 @@
 use bevy::prelude::*;
 use bevy::render::render_resource::WgpuAdapterInfo;
 
+use crate::game::settings::{Quality, Settings};
+
 /// How much work a frame may be.
 #[derive(Resource, Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum RenderQuality {
@@ -22,6 +24,15 @@ impl RenderQuality {
             Self::Low
         } else {
             Self::High
+        }
+    }
+
+    /// What the player has set, and what suits the adapter if that is left to us.
+    fn chosen(quality: Quality, suited: Self) -> Self {
+        match quality {
+            Quality::Automatic => suited,
+            Quality::Low => Self::Low,
+            Quality::High => Self::High,
         }
     }
 
@@ -55,5 +66,17 @@ impl RenderQuality {
             Self::Low => 2,
             Self::High => 16,
         }
+    }
+}
+
+/// Follows the settings. The first value is what suits the adapter.
+pub(super) fn follow(
+    settings: Res<Settings>,
+    mut quality: ResMut<RenderQuality>,
+    mut suited: Local<Option<RenderQuality>>,
+) {
+    let suited = *suited.get_or_insert(*quality);
+    if settings.is_changed() {
+        quality.set_if_neq(RenderQuality::chosen(settings.quality, suited));
     }
 }

@@ -35,10 +35,44 @@ pub(super) fn plugin(app: &mut App) {
         )
         .add_systems(
             RunFixedMainLoop,
-            hang_lamps
-                .in_set(Drawing::Room)
-                .run_if(resource_exists_and_changed::<Playfield>),
+            (
+                suit_cameras.run_if(resource_exists_and_changed::<RenderQuality>),
+                hang_lamps.run_if(
+                    resource_exists_and_changed::<Playfield>
+                        .or_else(resource_exists_and_changed::<RenderQuality>),
+                ),
+            )
+                .chain()
+                .in_set(Drawing::Room),
         );
+}
+
+/// Cameras and shadows that are there already follow another quality.
+fn suit_cameras(
+    mut commands: Commands,
+    quality: Res<RenderQuality>,
+    mut shadows: ResMut<DirectionalLightShadowMap>,
+    cameras: Query<Entity, With<Camera3d>>,
+) {
+    if shadows.size != quality.shadow_map() {
+        shadows.size = quality.shadow_map();
+    }
+    for camera in &cameras {
+        smooth_edges(&mut commands.entity(camera), *quality);
+    }
+}
+
+/// How a camera smooths edges.
+fn smooth_edges(camera: &mut EntityCommands, quality: RenderQuality) {
+    match quality {
+        RenderQuality::Low => camera.insert((
+            Msaa::Off,
+            Smaa {
+                preset: SmaaPreset::Low,
+            },
+        )),
+        RenderQuality::High => camera.remove::<Smaa>().insert(Msaa::Sample4),
+    };
 }
 
 /// Gives a camera its film and the light of the room.
@@ -56,15 +90,7 @@ fn equip_camera(
         // Three lamps light everything: sorting them into cells would cost more than it saves.
         ClusterConfig::Single,
     ));
-    match *quality {
-        RenderQuality::Low => camera.insert((
-            Msaa::Off,
-            Smaa {
-                preset: SmaaPreset::Low,
-            },
-        )),
-        RenderQuality::High => camera.insert(Msaa::Sample4),
-    };
+    smooth_edges(&mut camera, *quality);
 }
 
 /// The processor tells the graphics card which lamps there are: it is at once, three lamps are no work, and software
@@ -85,9 +111,9 @@ fn hang_lamps(
     playfield: Res<Playfield>,
     quality: Res<RenderQuality>,
     old: Query<Entity, With<Lamp>>,
-    mut hung: Local<Option<(f64, f64)>>,
+    mut hung: Local<Option<(f64, f64, RenderQuality)>>,
 ) {
-    let size = (playfield.table.length, playfield.table.width);
+    let size = (playfield.table.length, playfield.table.width, *quality);
     if hung.replace(size) == Some(size) {
         return;
     }

@@ -25,19 +25,25 @@ pub(super) fn show(ui: &mut egui::Ui, desk: &mut Desk) {
 }
 
 fn presets(ui: &mut egui::Ui, desk: &mut Desk) {
-    let shown = desk.preset.0.clone().unwrap_or_else(|| "none".to_owned());
+    let language = desk.language.clone();
+    let named = |name: &str| {
+        let key = format!("preset-{}", name.replace('_', "-"));
+        language.find(&key).unwrap_or(name).to_owned()
+    };
+    let in_use = desk.preset.0.clone();
+    let shown = in_use
+        .as_deref()
+        .map_or_else(|| language.text("preset-none").to_owned(), named);
     let mut choice = None;
     ui.horizontal(|ui| {
-        ui.label("Preset");
+        ui.label(language.text("equipment-preset"));
         egui::ComboBox::from_id_salt("preset")
             .selected_text(&shown)
             .width(180.0)
             .show_ui(ui, |ui| {
                 for asset in preset::BUILT_IN {
-                    if ui
-                        .selectable_label(shown == asset.name, asset.name)
-                        .clicked()
-                    {
+                    let chosen = in_use.as_deref() == Some(asset.name);
+                    if ui.selectable_label(chosen, named(asset.name)).clicked() {
                         choice = Some(asset.name.to_owned());
                         ui.close();
                     }
@@ -46,13 +52,13 @@ fn presets(ui: &mut egui::Ui, desk: &mut Desk) {
     });
     ui.horizontal(|ui| {
         let field = egui::TextEdit::singleline(&mut desk.panel.preset_file)
-            .hint_text("own preset file")
+            .hint_text(language.text("equipment-own"))
             .desired_width(190.0);
         let entered = ui.add(field).lost_focus() && ui.input(|i| i.key_pressed(egui::Key::Enter));
         let typed = desk.panel.preset_file.trim();
         let load = ui
-            .add_enabled(!typed.is_empty(), egui::Button::new("Load"))
-            .on_hover_text("Racks with it, and follows every change of the file.");
+            .add_enabled(!typed.is_empty(), egui::Button::new(language.text("load")))
+            .on_hover_text(language.text("equipment-load-hint"));
         if (load.clicked() || entered) && !typed.is_empty() {
             choice = Some(typed.to_owned());
         }
@@ -70,13 +76,16 @@ fn cloths(ui: &mut egui::Ui, desk: &mut Desk) {
         gravity: present.gravity,
         ..cloth
     };
-    ui.label("Cloth");
+    let language = desk.language.clone();
+    ui.label(language.text("equipment-cloth"));
     ui.horizontal(|ui| {
         for asset in preset::CLOTHS {
             let Ok(cloth) = preset::cloth(asset.name).map(named) else {
                 continue;
             };
-            if ui.selectable_label(cloth == present, asset.name).clicked() && cloth != present {
+            let key = format!("cloth-{}", asset.name);
+            let name = language.find(&key).unwrap_or(asset.name);
+            if ui.selectable_label(cloth == present, name).clicked() && cloth != present {
                 desk.playfield.laws.motion = MotionLaw::Coulomb(cloth);
             }
         }
@@ -89,7 +98,8 @@ fn balls(ui: &mut egui::Ui, desk: &mut Desk) {
     let Some(present) = BallSet::in_scene(&scene) else {
         return;
     };
-    ui.label("Balls");
+    let language = desk.language.clone();
+    ui.label(language.text("equipment-balls"));
     let mut wish = None;
     egui::ComboBox::from_id_salt("balls")
         .selected_text(format!(
@@ -101,9 +111,10 @@ fn balls(ui: &mut egui::Ui, desk: &mut Desk) {
             for asset in preset::BUILT_IN {
                 let Ok(preset) = asset.preset() else { continue };
                 let balls = preset.equipment.balls;
+                let key = format!("preset-{}", asset.name.replace('_', "-"));
                 let text = format!(
                     "{}: {:.1} mm, {:.0} g",
-                    asset.name,
+                    language.find(&key).unwrap_or(asset.name),
                     2e3 * balls.cue.radius,
                     1e3 * balls.cue.mass
                 );
@@ -128,14 +139,18 @@ fn balls(ui: &mut egui::Ui, desk: &mut Desk) {
 }
 
 fn tips(ui: &mut egui::Ui, desk: &mut Desk) {
-    ui.label("Tip");
+    let language = desk.language.clone();
+    ui.label(language.text("equipment-tip"));
     ui.horizontal(|ui| {
         let present = desk.playfield.cue;
-        for (tip, name) in [(Tip::Leather, "leather"), (Tip::Phenolic, "phenolic")] {
+        for (tip, name) in [
+            (Tip::Leather, "tip-leather"),
+            (Tip::Phenolic, "tip-phenolic"),
+        ] {
             let cue = present.with_tip(tip);
             let (least, most) = tip.measured_restitution();
             let chosen = (least..=most).contains(&present.tip_restitution);
-            if ui.selectable_label(chosen, name).clicked() && !chosen {
+            if ui.selectable_label(chosen, language.text(name)).clicked() && !chosen {
                 desk.playfield.cue = cue;
             }
         }
@@ -145,21 +160,25 @@ fn tips(ui: &mut egui::Ui, desk: &mut Desk) {
 
 /// A line about the room of the cue: what it has to clear, or that it cannot.
 pub(super) fn room(ui: &mut egui::Ui, desk: &Desk) {
+    let language = &desk.language;
     let text = match desk.room.lift {
-        None => "No room for the cue here".to_owned(),
+        None => language.text("room-none").to_owned(),
         Some(lift) => {
-            let over = match lift.over {
-                None => String::new(),
-                Some(Obstacle::Ball(ball)) => desk
-                    .balls
-                    .iter()
-                    .find(|other| other.0.0 == ball)
-                    .map_or_else(String::new, |other| format!(" over ball {}", other.1.0)),
-                Some(Obstacle::Cushion(_)) => " over the cushion".to_owned(),
-                Some(Obstacle::Rail) => " over the rail".to_owned(),
-                Some(Obstacle::Slate) => " over the slate".to_owned(),
+            let angle = format!("{:.2}°", lift.elevation.to_degrees());
+            let (key, ball) = match lift.over {
+                None => ("room-least", ""),
+                Some(Obstacle::Ball(ball)) => (
+                    "room-over-ball",
+                    desk.balls
+                        .iter()
+                        .find(|other| other.0.0 == ball)
+                        .map_or("?", |other| other.1.0.as_str()),
+                ),
+                Some(Obstacle::Cushion(_)) => ("room-over-cushion", ""),
+                Some(Obstacle::Rail) => ("room-over-rail", ""),
+                Some(Obstacle::Slate) => ("room-over-slate", ""),
             };
-            format!("Least elevation {:.2}°{over}", lift.elevation.to_degrees())
+            language.with(key, &[("angle", angle.into()), ("ball", ball.into())])
         }
     };
     let label = egui::RichText::new(text);

@@ -17,25 +17,25 @@ pub(super) fn show(ui: &mut egui::Ui, desk: &Desk) {
         .iter()
         .find(|e| matches!(e.kind, EventKind::Strike { .. }))
     else {
-        ui.label("No shot yet.");
+        ui.label(desk.language.text("last-none"));
         return;
     };
     let names = names(desk);
     let name = |ball: usize| names.get(ball).map_or("?", String::as_str);
     summary(ui, desk, strike);
     let count = |kind: fn(&EventKind) -> bool| events.iter().filter(|e| kind(&e.kind)).count();
-    ui.label(format!(
-        "{} ball contacts, {} cushion contacts",
-        count(|kind| matches!(kind, EventKind::BallBall)),
-        count(|kind| matches!(kind, EventKind::Cushion { .. })),
-    ));
+    let balls = count(|kind| matches!(kind, EventKind::BallBall));
+    let cushions = count(|kind| matches!(kind, EventKind::Cushion { .. }));
+    let counts = [("balls", balls.into()), ("cushions", cushions.into())];
+    ui.label(desk.language.with("last-contacts", &counts));
     let potted: Vec<&str> = events
         .iter()
         .filter(|e| matches!(e.kind, EventKind::Pocketed { .. }))
         .map(|e| name(e.first.ball))
         .collect();
     if !potted.is_empty() {
-        ui.label(format!("Potted: {}", potted.join(", ")));
+        let balls = [("balls", potted.join(", ").into())];
+        ui.label(desk.language.with("last-potted", &balls));
     }
     egui::ScrollArea::vertical()
         .max_height(160.0)
@@ -55,16 +55,17 @@ fn summary(ui: &mut egui::Ui, desk: &Desk, strike: &Event) {
         return;
     };
     let velocity = strike.first.after.velocity;
-    ui.label(format!(
-        "Speed after the strike {:.3} m/s{}",
-        velocity.length(),
-        if miscue { ", miscue" } else { "" }
-    ));
+    let speed = [("speed", format!("{:.3}", velocity.length()).into())];
+    ui.label(desk.language.with("last-speed", &speed));
+    if miscue {
+        ui.label(desk.language.text("status-miscue"));
+    }
     if let Some(shot) = desk.practice.history.last_shot() {
         use std::f64::consts::TAU;
         let way = Shot::heading_between(DVec3::ZERO, velocity) - shot.heading;
         let squirt = (way - TAU * (way / TAU).round()).to_degrees();
-        ui.label(format!("Left the line of the cue by {squirt:+.3}°"));
+        let angle = [("angle", format!("{squirt:+.3}°").into())];
+        ui.label(desk.language.with("last-squirt", &angle));
     }
 }
 
@@ -80,22 +81,28 @@ fn names(desk: &Desk) -> Vec<String> {
 
 fn line<'a>(desk: &Desk, event: &Event, name: &impl Fn(usize) -> &'a str) -> String {
     let who = name(event.first.ball);
-    let what = match event.kind {
-        EventKind::Strike { .. } => format!("cue strikes {who}"),
-        EventKind::Slate => format!("{who} lands"),
-        EventKind::Rim { .. } => format!("{who} on the rim"),
-        EventKind::OffTable => format!("{who} leaves the table"),
-        EventKind::BallBall => {
-            let other = event.second.map_or("?", |second| name(second.ball));
-            format!("{who} and {other}")
+    let other = event.second.map_or("?", |second| name(second.ball));
+    let mut values = vec![("ball", who.into()), ("other", other.into())];
+    let key = match event.kind {
+        EventKind::Strike { .. } => "event-strike",
+        EventKind::Slate => "event-slate",
+        EventKind::Rim { .. } => "event-rim",
+        EventKind::OffTable => "event-off-table",
+        EventKind::BallBall => "event-balls",
+        EventKind::Cushion { cushion } => {
+            values.push(("cushion", cushion.into()));
+            "event-cushion"
         }
-        EventKind::Cushion { cushion } => format!("{who}, cushion {cushion}"),
         EventKind::Pocketed { pocket } => {
             let pockets = &desk.playfield.table.pockets;
             let into = pockets.get(pocket).map_or("?", |pocket| &pocket.name);
-            format!("{who} into {into}")
+            let key = format!("pocket-{}", into.replace(' ', "-"));
+            let into = desk.language.find(&key).unwrap_or(into);
+            values.push(("pocket", into.to_owned().into()));
+            "event-pocketed"
         }
-        EventKind::Motion { from, to } => format!("{who} {from:?} to {to:?}"),
+        EventKind::Motion { .. } => "event-motion",
     };
+    let what = desk.language.with(key, &values);
     format!("{:7.4} s  {what}  {:.3} N s", event.time, event.impulse)
 }

@@ -20,13 +20,14 @@ use crate::game::aim::{Aim, Swing};
 use crate::game::equip::{ChoosePreset, Equip, PresetInUse};
 use crate::game::lift::CueRoom;
 use crate::game::practice::{Practice, PracticeCommand};
+use crate::game::settings::Settings;
 use crate::game::view::View;
-use crate::game::volume::Volume;
 use crate::sim::clock::Clock;
 use crate::sim::playfield::{BallQuery, Playfield};
 use crate::sim::recorder::Recorder;
 use crate::window::WindowSystems;
-use crate::window::action::Action;
+use crate::window::action::{Action, Latched};
+use crate::window::language::Language;
 
 /// Width of the panel in points.
 const WIDTH: f32 = 286.0;
@@ -63,7 +64,7 @@ struct Desk<'w, 's> {
     aim: ResMut<'w, Aim>,
     practice: ResMut<'w, Practice>,
     view: ResMut<'w, View>,
-    volume: ResMut<'w, Volume>,
+    settings: ResMut<'w, Settings>,
     playfield: ResMut<'w, Playfield>,
     clock: Res<'w, Clock>,
     recorder: Res<'w, Recorder>,
@@ -74,6 +75,8 @@ struct Desk<'w, 's> {
     preset: Res<'w, PresetInUse>,
     choose: MessageWriter<'w, ChoosePreset>,
     equip: MessageWriter<'w, Equip>,
+    language: Res<'w, Language>,
+    latched: ResMut<'w, Latched>,
 }
 
 fn toggle(actions: Single<&ActionState<Action>>, mut panel: ResMut<ShotPanel>) {
@@ -90,7 +93,7 @@ fn show(mut contexts: EguiContexts, mut desk: Desk) -> Result {
         egui::Area::new(egui::Id::new("shot panel button"))
             .anchor(egui::Align2::RIGHT_TOP, margin)
             .show(context, |ui| {
-                if ui.button("Shot").clicked() {
+                if ui.button(desk.language.text("shot-title")).clicked() {
                     desk.panel.open = true;
                 }
             });
@@ -98,7 +101,8 @@ fn show(mut contexts: EguiContexts, mut desk: Desk) -> Result {
     }
     let mut open = true;
     let height = context.content_rect().height();
-    egui::Window::new("Shot")
+    egui::Window::new(desk.language.text("shot-title"))
+        .id(egui::Id::new("shot"))
         .open(&mut open)
         .pivot(egui::Align2::RIGHT_TOP)
         .default_pos(context.content_rect().right_top() + margin)
@@ -116,11 +120,21 @@ fn show(mut contexts: EguiContexts, mut desk: Desk) -> Result {
 }
 
 fn contents(ui: &mut egui::Ui, desk: &mut Desk) {
+    let language = desk.language.clone();
     numbers::show(ui, desk);
     ui.separator();
     table::show(ui, desk);
     ui.separator();
-    ui.collapsing("Equipment", |ui| equipment::show(ui, desk));
-    ui.collapsing("Last shot", |ui| last::show(ui, desk));
-    ui.collapsing("Laws and solver", |ui| model::show(ui, desk));
+    fold(ui, &language, "shot-equipment", |ui| {
+        equipment::show(ui, desk)
+    });
+    fold(ui, &language, "shot-last", |ui| last::show(ui, desk));
+    fold(ui, &language, "shot-model", |ui| model::show(ui, desk));
+}
+
+/// A part that is folded away until its heading is clicked.
+fn fold(ui: &mut egui::Ui, language: &Language, key: &str, show: impl FnOnce(&mut egui::Ui)) {
+    egui::CollapsingHeader::new(language.text(key))
+        .id_salt(key)
+        .show(ui, show);
 }

@@ -8,6 +8,7 @@ use crate::physics::laws::ball_ball::BallBallLaw;
 use crate::physics::laws::cushion::CushionLaw;
 use crate::physics::laws::motion::MotionLaw;
 use crate::physics::scene::{Solver, Stepped};
+use crate::window::language::Language;
 
 /// Grids on offer, cells along x and z; `None` tests every pair.
 const GRIDS: [Option<(u32, u32)>; 3] = [None, Some((20, 20)), Some((50, 50))];
@@ -16,10 +17,11 @@ const GRIDS: [Option<(u32, u32)>; 3] = [None, Some((20, 20)), Some((50, 50))];
 pub(super) fn show(ui: &mut egui::Ui, desk: &mut Desk) {
     let mut laws = desk.playfield.laws;
     let mut solver = desk.playfield.solver;
+    let language = desk.language.clone();
     ui.add_enabled_ui(!desk.clock.moving, |ui| {
-        laws_of(ui, &mut laws);
+        laws_of(ui, &language, &mut laws);
         ui.separator();
-        solver_of(ui, &mut solver, &laws);
+        solver_of(ui, &language, &mut solver, &laws);
     });
     // The coursework model has no closed form, so only the stepped solver can play it.
     if !laws.motion.is_closed_form() && solver == Solver::Exact {
@@ -31,22 +33,40 @@ pub(super) fn show(ui: &mut egui::Ui, desk: &mut Desk) {
     }
 }
 
-fn laws_of(ui: &mut egui::Ui, laws: &mut Laws) {
+fn laws_of(ui: &mut egui::Ui, language: &Language, laws: &mut Laws) {
     ui.horizontal(|ui| {
         for (preset, name) in [
-            (Laws::default(), "Pool"),
-            (Laws::ideal(), "Ideal"),
-            (Laws::coursework(), "Coursework"),
+            (Laws::default(), "laws-pool"),
+            (Laws::ideal(), "laws-ideal"),
+            (Laws::coursework(), "laws-coursework"),
         ] {
-            if ui.selectable_label(*laws == preset, name).clicked() {
+            if ui
+                .selectable_label(*laws == preset, language.text(name))
+                .clicked()
+            {
                 *laws = preset;
             }
         }
     });
     egui::Grid::new("laws").num_columns(2).show(ui, |ui| {
-        choice(ui, "Friction", &mut laws.motion, MotionLaw::all());
-        choice(ui, "Balls", &mut laws.ball_ball, BallBallLaw::all());
-        choice(ui, "Cushions", &mut laws.cushion, CushionLaw::all());
+        choice(
+            ui,
+            language.text("laws-friction"),
+            &mut laws.motion,
+            MotionLaw::all(),
+        );
+        choice(
+            ui,
+            language.text("laws-balls"),
+            &mut laws.ball_ball,
+            BallBallLaw::all(),
+        );
+        choice(
+            ui,
+            language.text("laws-cushions"),
+            &mut laws.cushion,
+            CushionLaw::all(),
+        );
     });
 }
 
@@ -77,16 +97,20 @@ fn name(law: &impl std::fmt::Debug) -> String {
     all.split('(').next().unwrap_or_default().to_owned()
 }
 
-fn solver_of(ui: &mut egui::Ui, solver: &mut Solver, laws: &Laws) {
+fn solver_of(ui: &mut egui::Ui, language: &Language, solver: &mut Solver, laws: &Laws) {
     ui.horizontal(|ui| {
-        ui.label("Solver");
+        ui.label(language.text("solver"));
         let is_exact = *solver == Solver::Exact;
-        if ui.selectable_label(!is_exact, "stepped").clicked() && is_exact {
+        if ui
+            .selectable_label(!is_exact, language.text("solver-stepped"))
+            .clicked()
+            && is_exact
+        {
             *solver = Solver::Stepped(Stepped::default());
         }
         let exact = ui.add_enabled(
             laws.motion.is_closed_form(),
-            egui::Button::selectable(is_exact, "exact"),
+            egui::Button::selectable(is_exact, language.text("solver-exact")),
         );
         if exact.clicked() {
             *solver = Solver::Exact;
@@ -96,7 +120,7 @@ fn solver_of(ui: &mut egui::Ui, solver: &mut Solver, laws: &Laws) {
         return;
     };
     ui.horizontal(|ui| {
-        ui.label("Ticks");
+        ui.label(language.text("solver-ticks"));
         let mut rate = 1.0 / stepped.tick;
         let drag = egui::DragValue::new(&mut rate)
             .range(10.0..=2000.0)
@@ -108,9 +132,11 @@ fn solver_of(ui: &mut egui::Ui, solver: &mut Solver, laws: &Laws) {
         }
     });
     ui.horizontal_wrapped(|ui| {
-        ui.label("Grid");
+        ui.label(language.text("solver-grid"));
         for grid in GRIDS {
-            let name = grid.map_or("none".to_owned(), |(x, z)| format!("{x} × {z}"));
+            let name = grid.map_or(language.text("solver-no-grid").to_owned(), |(x, z)| {
+                format!("{x} × {z}")
+            });
             ui.selectable_value(&mut stepped.grid, grid, name);
         }
         if let Some((x, z)) = &mut stepped.grid {
@@ -119,5 +145,5 @@ fn solver_of(ui: &mut egui::Ui, solver: &mut Solver, laws: &Laws) {
             }
         }
     });
-    ui.checkbox(&mut stepped.locate, "locate contacts inside the tick");
+    ui.checkbox(&mut stepped.locate, language.text("solver-locate"));
 }

@@ -8,10 +8,11 @@ use crate::game::aim::{Aim, Swing};
 use crate::physics::ball::State;
 use crate::physics::scene::strike_with;
 use crate::sim::components::ball_and_state;
+use crate::window::language::Language;
 
 /// One number of the shot as the panel shows it.
-struct Number {
-    label: &'static str,
+struct Number<'a> {
+    label: &'a str,
     unit: &'static str,
     least: f64,
     most: f64,
@@ -25,6 +26,7 @@ const SHOWN: f64 = 0.5e-6;
 /// Lays out the cue ball, the numbers and the strike button.
 pub(super) fn show(ui: &mut egui::Ui, desk: &mut Desk) {
     let mut aim = *desk.aim;
+    let language = desk.language.clone();
     let cue = desk.playfield.cue;
     let ball = desk.balls.iter().find(|ball| ball.0.0 == aim.ball);
     let radius = ball.map_or(0.028, |ball| ball.6.0);
@@ -34,35 +36,39 @@ pub(super) fn show(ui: &mut egui::Ui, desk: &mut Desk) {
         }
         ui.vertical(|ui| {
             effect(ui, desk, &aim);
-            if ui.button("Tip to the centre").clicked() {
+            if ui.button(language.text("number-center")).clicked() {
                 aim.set_tip(0.0, 0.0);
             }
         });
     });
     ui.horizontal(|ui| {
-        ui.label("Step");
+        ui.label(language.text("number-step"));
         for (step, name) in [(1.0, "1"), (0.1, "0.1"), (0.01, "0.01"), (0.001, "0.001")] {
             ui.selectable_value(&mut desk.panel.step, step, name);
         }
     });
-    rows(ui, desk.panel.step, &mut aim);
+    rows(ui, &language, desk.panel.step, &mut aim);
     equipment::room(ui, desk);
     // Only a real change counts as one: the preview is played anew whenever the aim changes.
     desk.aim.set_if_neq(aim);
     ui.horizontal(|ui| {
         let ready = !desk.clock.moving && aim.shot.speed > 0.0;
-        let strike = egui::Button::new(egui::RichText::new("Strike").strong().size(18.0))
-            .min_size(egui::vec2(120.0, 32.0));
+        let strike = egui::Button::new(
+            egui::RichText::new(language.text("number-strike"))
+                .strong()
+                .size(18.0),
+        )
+        .min_size(egui::vec2(120.0, 32.0));
         if ui.add_enabled(ready, strike).clicked() {
             desk.swings.write(Swing);
         }
     });
 }
 
-fn rows(ui: &mut egui::Ui, step: f64, aim: &mut Aim) {
+fn rows(ui: &mut egui::Ui, language: &Language, step: f64, aim: &mut Aim) {
     egui::Grid::new("numbers").num_columns(3).show(ui, |ui| {
         let heading = Number {
-            label: "Heading",
+            label: language.text("number-heading"),
             unit: "°",
             least: 0.0,
             most: 360.0,
@@ -72,7 +78,7 @@ fn rows(ui: &mut egui::Ui, step: f64, aim: &mut Aim) {
             aim.set_heading(degrees.to_radians());
         }
         let elevation = Number {
-            label: "Elevation",
+            label: language.text("number-elevation"),
             unit: "°",
             least: 0.0,
             most: Aim::TOP_ELEVATION.to_degrees(),
@@ -88,14 +94,24 @@ fn rows(ui: &mut egui::Ui, step: f64, aim: &mut Aim) {
             most: Aim::TOP_OFFSET,
             step: 0.1,
         };
-        if let Some(side) = row(ui, &offset("Side"), step, aim.shot.side) {
+        if let Some(side) = row(
+            ui,
+            &offset(language.text("number-side")),
+            step,
+            aim.shot.side,
+        ) {
             aim.set_tip(side, aim.shot.height);
         }
-        if let Some(height) = row(ui, &offset("Height"), step, aim.shot.height) {
+        if let Some(height) = row(
+            ui,
+            &offset(language.text("number-height")),
+            step,
+            aim.shot.height,
+        ) {
             aim.set_tip(aim.shot.side, height);
         }
         let speed = Number {
-            label: "Power",
+            label: language.text("number-power"),
             unit: " m/s",
             least: 0.0,
             most: Aim::TOP_SPEED,
@@ -162,23 +178,33 @@ fn effect(ui: &mut egui::Ui, desk: &Desk, aim: &Aim) {
         &state,
         &aim.shot,
     );
-    ui.label(format!("Ball {:.3} m/s", struck.state.velocity.length()));
+    let language = &desk.language;
+    let speed = [(
+        "speed",
+        format!("{:.3}", struck.state.velocity.length()).into(),
+    )];
+    ui.label(language.with("number-ball", &speed));
     let squirt = struck.squirt.to_degrees();
-    let side = match squirt {
-        s if s > 0.0 => " left",
-        s if s < 0.0 => " right",
-        _ => "",
+    let key = match squirt {
+        s if s > 0.0 => "number-squirt-left",
+        s if s < 0.0 => "number-squirt-right",
+        _ => "number-squirt",
     };
-    ui.label(format!("Squirt {:.3}°{side}", squirt.abs()));
-    ui.label(format!("Offset {:.3} R", aim.shot.offset())).on_hover_text(
-        "How far from the centre the tip touches the ball. Click or drag on the ball to place the tip: being round it \
-         touches a little nearer to the centre than its middle is. Shift: finer. Double click: the centre. Beyond the red \
-         circle the tip slips.",
-    );
+    let angle = [("angle", format!("{:.3}°", squirt.abs()).into())];
+    ui.label(language.with(key, &angle));
+    let offset = [("offset", format!("{:.3} R", aim.shot.offset()).into())];
+    ui.label(language.with("number-offset", &offset))
+        .on_hover_text(language.text("number-offset-hint"));
     if struck.miscue {
         ui.colored_label(
             ui.visuals().error_fg_color,
-            format!("Miscue: beyond {} R", desk.playfield.cue.miscue_offset),
+            language.with(
+                "number-miscue",
+                &[(
+                    "offset",
+                    format!("{} R", desk.playfield.cue.miscue_offset).into(),
+                )],
+            ),
         );
     } else {
         ui.label("");

@@ -5,30 +5,35 @@ use bevy_egui::egui;
 
 use super::Desk;
 use crate::game::practice::PracticeCommand;
+use crate::game::target;
 use crate::game::view::CameraMode;
 use crate::physics::scene::Rack;
 use crate::physics::table::Preset;
+use crate::sim::playfield::snapshot;
+use crate::window::action::Action;
 
 /// Lays out the buttons for table, view and sound.
 pub(super) fn show(ui: &mut egui::Ui, desk: &mut Desk) {
+    let language = desk.language.clone();
+    let text = |key| language.text(key);
     ui.horizontal_wrapped(|ui| {
         let can_retry = desk.practice.history.has_shot();
         if ui
-            .add_enabled(can_retry, egui::Button::new("Retry"))
+            .add_enabled(can_retry, egui::Button::new(text("table-retry")))
             .clicked()
         {
             desk.commands.write(PracticeCommand::Retry);
         }
         let steps = desk.practice.history.len();
-        let undo = egui::Button::new(format!("Undo ({steps})"));
+        let undo = egui::Button::new(language.with("table-undo", &[("steps", steps.into())]));
         if ui.add_enabled(steps > 0, undo).clicked() {
             desk.commands.write(PracticeCommand::Undo);
         }
         for (rack, name) in [
-            (Rack::EightBall, "Rack 8-ball"),
-            (Rack::NineBall, "Rack 9-ball"),
+            (Rack::EightBall, "rack-eight-ball"),
+            (Rack::NineBall, "rack-nine-ball"),
         ] {
-            if ui.button(name).clicked() {
+            if ui.button(text(name)).clicked() {
                 desk.commands.write(PracticeCommand::Rack(rack));
             }
         }
@@ -37,9 +42,9 @@ pub(super) fn show(ui: &mut egui::Ui, desk: &mut Desk) {
         let still = !desk.clock.moving;
         let mut placing = desk.practice.placing;
         ui.add_enabled_ui(still, |ui| {
-            ui.toggle_value(&mut placing, "Place balls")
-                .on_hover_text("While this is on, dragging a ball moves it.");
-            if ui.button("Cue ball in hand").clicked() {
+            ui.toggle_value(&mut placing, text("table-place"))
+                .on_hover_text(text("table-place-hint"));
+            if ui.button(text("table-in-hand")).clicked() {
                 desk.commands.write(PracticeCommand::CueBallInHand);
             }
         });
@@ -51,57 +56,81 @@ pub(super) fn show(ui: &mut egui::Ui, desk: &mut Desk) {
     let mut view = *desk.view;
     ui.horizontal_wrapped(|ui| {
         for (mode, name) in [
-            (CameraMode::BehindCue, "Behind cue"),
-            (CameraMode::Overhead, "Overhead"),
-            (CameraMode::Orbit, "Free"),
+            (CameraMode::BehindCue, "camera-behind"),
+            (CameraMode::Overhead, "camera-overhead"),
+            (CameraMode::Orbit, "camera-free"),
         ] {
-            ui.selectable_value(&mut view.camera, mode, name);
+            ui.selectable_value(&mut view.camera, mode, text(name));
         }
-        ui.checkbox(&mut view.guides, "Guides");
-        ui.checkbox(&mut view.preview, "Preview");
-        ui.checkbox(&mut view.trails, "Trails");
+        ui.checkbox(&mut view.guides, text("view-guides"));
+        ui.checkbox(&mut view.preview, text("view-preview"));
+        ui.checkbox(&mut view.trails, text("view-trails"));
     });
     desk.view.set_if_neq(view);
-    let mut volume = *desk.volume;
     ui.horizontal(|ui| {
-        ui.label("Sound");
+        for (key, step) in [("table-next-left", 1), ("table-next-right", -1)] {
+            if ui.button(text(key)).clicked() {
+                let scene = snapshot(&desk.playfield, &desk.balls);
+                let (ball, heading) = (desk.aim.ball, desk.aim.shot.heading);
+                if let Some(heading) = target::beside(&scene, ball, heading, step) {
+                    desk.aim.set_heading(heading);
+                }
+            }
+        }
+    });
+    ui.horizontal(|ui| {
+        let fast = desk.latched.iter().any(|one| one == Action::FastForward);
+        if ui
+            .selectable_label(fast, text("view-fast-forward"))
+            .clicked()
+        {
+            desk.latched.flip(Action::FastForward);
+        }
+    });
+    let mut volume = desk.settings.volume;
+    ui.horizontal(|ui| {
+        ui.label(text("settings-sound"));
         ui.spacing_mut().slider_width = 120.0;
         ui.add(egui::Slider::new(&mut volume.level, 0.0..=1.0).show_value(false));
-        ui.checkbox(&mut volume.muted, "Mute");
+        ui.checkbox(&mut volume.muted, text("sound-mute"));
     });
-    desk.volume.set_if_neq(volume);
+    if volume != desk.settings.volume {
+        desk.settings.volume = volume;
+    }
 }
 
 fn tables(ui: &mut egui::Ui, desk: &mut Desk) {
+    let language = desk.language.clone();
     let present = &desk.playfield.table;
     let shown = Preset::NAMED
         .iter()
         .find(|preset| preset.table() == *present)
-        .map_or("own", name);
+        .map_or("table-own", key);
     ui.horizontal(|ui| {
-        ui.label("Table");
+        ui.label(language.text("topic-table"));
         egui::ComboBox::from_id_salt("table")
-            .selected_text(shown)
+            .selected_text(language.text(shown))
             .show_ui(ui, |ui| {
                 for preset in &Preset::NAMED {
-                    let label = name(preset);
-                    if ui.selectable_label(label == shown, label).clicked() {
+                    let key = key(preset);
+                    let name = language.text(key);
+                    if ui.selectable_label(key == shown, name).clicked() {
                         desk.commands.write(PracticeCommand::Table(*preset));
                         ui.close();
                     }
                 }
             });
-        ui.label("and rack again");
+        ui.label(language.text("table-rack-again"));
     });
 }
 
-fn name(preset: &Preset) -> &'static str {
+fn key(preset: &Preset) -> &'static str {
     match preset {
-        Preset::NineFoot => "9 ft pool",
-        Preset::EightFoot => "8 ft pool",
-        Preset::SevenFoot => "7 ft pool",
-        Preset::Snooker => "12 ft snooker",
-        Preset::Carom => "Carom",
-        Preset::Box { .. } => "Box",
+        Preset::NineFoot => "table-nine-foot",
+        Preset::EightFoot => "table-eight-foot",
+        Preset::SevenFoot => "table-seven-foot",
+        Preset::Snooker => "table-snooker",
+        Preset::Carom => "table-carom",
+        Preset::Box { .. } => "table-box",
     }
 }

@@ -1,8 +1,11 @@
-//! Impacts that can be heard: tip, ball on ball, cushion, pocket; loudness and pitch follow the impulse.
+//! What can be heard: tip, ball on ball, cushion, pocket, with loudness and pitch from the impulse; balls that roll; and
+//! the buttons of the panels.
 //!
 //! The sounds are synthesised when the program starts. Without a sound device nothing is heard and nothing piles up:
 //! every voice ends by its own clock, whether anybody played it or not.
 
+mod click;
+mod rolling;
 mod synthesis;
 
 use std::time::Duration;
@@ -11,7 +14,8 @@ use bevy::audio::{AudioPlayer, AudioSource, PlaybackSettings, SpatialListener, S
 use bevy::prelude::*;
 use glam::DVec3;
 
-use crate::game::volume;
+use crate::game::settings::Settings;
+use crate::game::volume::SoundKind;
 use crate::physics::record::{Event, EventKind};
 use crate::sim::messages::{Pocketed, Struck, Touched};
 use crate::window::WindowSystems;
@@ -61,6 +65,7 @@ pub(super) fn plugin(app: &mut App) {
     app.init_resource::<Sounds>()
         .add_systems(Startup, synthesise)
         .add_observer(give_ears)
+        .add_plugins((click::plugin, rolling::plugin))
         .add_systems(
             RunFixedMainLoop,
             (end, hear).chain().in_set(WindowSystems::Present),
@@ -110,7 +115,7 @@ fn hear(
     mut touched: MessageReader<Touched>,
     mut pocketed: MessageReader<Pocketed>,
     sounds: Res<Sounds>,
-    volume: Res<volume::Volume>,
+    settings: Res<Settings>,
     time: Res<Time<Real>>,
     voices: Query<(), With<Voice>>,
 ) {
@@ -122,11 +127,8 @@ fn hear(
         .chain(pocketed)
         .filter_map(|event| hit(&event))
         .filter(|hit| hit.impulse > QUIETEST)
+        .filter(|hit| settings.volume.audible(kind(hit.sound)) > 0.0)
         .collect();
-    let level = volume.audible();
-    if level == 0.0 {
-        return;
-    }
     hits.sort_by(|a, b| b.impulse.total_cmp(&a.impulse));
     let free = VOICES.saturating_sub(voices.iter().len());
     for hit in hits.iter().take(STARTS.min(free)) {
@@ -135,6 +137,7 @@ fn hear(
             continue;
         };
         let (loudness, hardness, pitch) = character(hit);
+        let level = settings.volume.audible(kind(hit.sound));
         commands.spawn((
             AudioPlayer(handles[hardness].clone()),
             PlaybackSettings::ONCE
@@ -147,6 +150,17 @@ fn hear(
                 until: time.elapsed() + 2 * synthesis::LENGTH,
             },
         ));
+    }
+}
+
+/// Which level of the player a sound has.
+fn kind(sound: Sound) -> SoundKind {
+    match sound {
+        Sound::Tip => SoundKind::Cue,
+        Sound::Balls => SoundKind::Balls,
+        Sound::Cushion => SoundKind::Cushions,
+        Sound::Pocket => SoundKind::Pockets,
+        Sound::Click => SoundKind::Interface,
     }
 }
 

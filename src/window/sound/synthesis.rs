@@ -4,7 +4,7 @@ use std::io::Cursor;
 use std::time::Duration;
 
 use fundsp::prelude64::{
-    An, AudioNode, AudioUnit, U0, U1, Wave, delay, impulse, lowpass_hz, pass, resonator_hz,
+    An, AudioNode, AudioUnit, U0, U1, Wave, brown, delay, impulse, lowpass_hz, pass, resonator_hz,
 };
 use hound::{SampleFormat, WavSpec, WavWriter};
 
@@ -14,6 +14,10 @@ const RATE: u32 = 44_100;
 pub(super) const LENGTH: Duration = Duration::from_millis(400);
 /// How many hardnesses of a hit there are: soft, medium, hard.
 pub(super) const HARDNESSES: usize = 3;
+/// Length of the sound of rolling, which goes on and on.
+pub(super) const ROLLING: Duration = Duration::from_secs(3);
+/// Seconds in which its end passes into its beginning.
+const FADE: f64 = 0.3;
 /// Loudest sample, of 1.
 const PEAK: f32 = 0.9;
 
@@ -28,10 +32,18 @@ pub(super) enum Sound {
     Cushion,
     /// Ball into pocket.
     Pocket,
+    /// A button of a panel.
+    Click,
 }
 
 impl Sound {
-    pub(super) const ALL: [Self; 4] = [Self::Tip, Self::Balls, Self::Cushion, Self::Pocket];
+    pub(super) const ALL: [Self; 5] = [
+        Self::Tip,
+        Self::Balls,
+        Self::Cushion,
+        Self::Pocket,
+        Self::Click,
+    ];
 
     /// The sound as a source without inputs. A harder hit is shorter, so it rings higher modes: `edge` in Hz is where the
     /// push runs out of force.
@@ -55,6 +67,9 @@ impl Sound {
                 push(300.0)
                     >> (mode(1.0, 96.0, 16.0) & mode(0.8, 187.0, 24.0) & mode(0.4, 415.0, 60.0)),
             ),
+            Self::Click => {
+                Box::new(push(2000.0) >> (mode(1.0, 1750.0, 300.0) & mode(0.5, 3100.0, 500.0)))
+            }
             // The ball knocks twice: at the back of the pocket, then at the bottom.
             Self::Pocket => {
                 let second_knock = 0.6 * delay(0.085);
@@ -87,7 +102,39 @@ fn mode(loudness: f32, frequency: f32, band: f32) -> An<impl AudioNode<Inputs = 
 pub(super) fn wav(sound: Sound, hardness: usize) -> Result<Vec<u8>, hound::Error> {
     let mut source = sound.source(hardness);
     let wave = Wave::render(f64::from(RATE), LENGTH.as_secs_f64(), &mut *source);
-    let loudest = wave.amplitude().max(f32::MIN_POSITIVE);
+    let samples: Vec<f32> = (0..wave.length()).map(|i| wave.at(0, i)).collect();
+    file(&samples)
+}
+
+/// Balls that roll over cloth, as a WAV file in memory whose end leads to its beginning.
+///
+/// # Errors
+/// [`hound::Error`] if the samples cannot be written.
+pub(super) fn rolling() -> Result<Vec<u8>, hound::Error> {
+    let mut source = brown() >> lowpass_hz(420.0, 0.6);
+    let seconds = ROLLING.as_secs_f64();
+    let wave = Wave::render(f64::from(RATE), seconds + FADE, &mut source);
+    let length = (seconds * f64::from(RATE)) as usize;
+    let fade = wave.length() - length;
+    let samples: Vec<f32> = (0..length)
+        .map(|i| {
+            // The beginning grows out of what would come after the end.
+            let share = (i as f32 / fade as f32).min(1.0);
+            let after = if i < fade {
+                wave.at(0, length + i)
+            } else {
+                0.0
+            };
+            share * wave.at(0, i) + (1.0 - share) * after
+        })
+        .collect();
+    file(&samples)
+}
+
+fn file(samples: &[f32]) -> Result<Vec<u8>, hound::Error> {
+    let loudest = samples
+        .iter()
+        .fold(f32::MIN_POSITIVE, |most, value| most.max(value.abs()));
     let mut bytes = Cursor::new(Vec::new());
     let mut writer = WavWriter::new(
         &mut bytes,
@@ -98,8 +145,8 @@ pub(super) fn wav(sound: Sound, hardness: usize) -> Result<Vec<u8>, hound::Error
             sample_format: SampleFormat::Int,
         },
     )?;
-    for i in 0..wave.length() {
-        writer.write_sample(sample(wave.at(0, i) / loudest))?;
+    for value in samples {
+        writer.write_sample(sample(value / loudest))?;
     }
     writer.finalize()?;
     Ok(bytes.into_inner())
@@ -137,6 +184,18 @@ mod tests {
                 assert!(loudest(&samples[15_000..]) < 0.05, "{sound:?} is cut off");
             }
         }
+    }
+
+    #[test]
+    fn rolling_goes_on_without_a_knock() {
+        let bytes = rolling().expect("memory can be written");
+        let reader = hound::WavReader::new(Cursor::new(bytes)).expect("a WAV file");
+        let samples: Vec<i16> = reader.into_samples().map(|s| s.expect("16 bits")).collect();
+        assert_eq!(samples.len(), 3 * 44_100);
+        let step = |a: i16, b: i16| i32::from(a).abs_diff(i32::from(b));
+        let within = samples.windows(2).map(|pair| step(pair[0], pair[1])).max();
+        let seam = step(samples[0], samples[samples.len() - 1]);
+        assert!(Some(seam) <= within, "{seam} {within:?}");
     }
 
     #[test]

@@ -43,8 +43,8 @@ const WINDOW_BEVY: [&str; 18] = [
     "winit",
 ];
 
-/// The one child of `window` that its siblings may import.
-const SHARED_CHILD: &str = "action";
+/// The children of `window` that their siblings may import: words that all of them share.
+const SHARED_CHILDREN: [&str; 3] = ["action", "language", "page"];
 
 /// The crates that the manifest lists.
 struct Crates {
@@ -164,7 +164,7 @@ fn forbidden_sibling(
 ) -> Option<String> {
     let (own, other) = (module.get(1)?, at.get(1)?);
     let siblings = module[0] == "window" && at[0] == "window" && children.contains(other);
-    (siblings && own != other && other != SHARED_CHILD).then(|| {
+    (siblings && own != other && !SHARED_CHILDREN.contains(&other.as_str())).then(|| {
         format!("`window::{own}` may not import `window::{other}`; they meet in `sim` and `game`")
     })
 }

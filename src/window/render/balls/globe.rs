@@ -6,7 +6,7 @@ use bevy::asset::RenderAssetUsages;
 use bevy::mesh::{Indices, PrimitiveTopology};
 use bevy::prelude::*;
 
-use crate::window::render::balls::palette::{Marking, look};
+use crate::window::render::balls::palette::{Marking, look, pattern};
 use crate::window::render::balls::skin::{direction, skin};
 use crate::window::render::quality::RenderQuality;
 
@@ -17,7 +17,7 @@ pub(super) struct Looks {
     shade: Handle<Mesh>,
     shade_material: Handle<StandardMaterial>,
     quality: RenderQuality,
-    made: HashMap<(Marking, [u32; 3]), Handle<StandardMaterial>>,
+    made: HashMap<(Marking, [u32; 3], (u32, u32)), Handle<StandardMaterial>>,
 }
 
 impl FromWorld for Looks {
@@ -47,6 +47,15 @@ impl FromWorld for Looks {
 }
 
 impl Looks {
+    /// Makes balls as fine as this quality wants them. What was made before goes when the last ball has let go of it.
+    pub fn suit(&mut self, quality: RenderQuality, meshes: &mut Assets<Mesh>) {
+        if quality != self.quality {
+            self.quality = quality;
+            self.globe = meshes.add(sphere(quality.segments()));
+            self.made.clear();
+        }
+    }
+
     pub fn globe(&self) -> Handle<Mesh> {
         self.globe.clone()
     }
@@ -59,22 +68,25 @@ impl Looks {
         self.shade_material.clone()
     }
 
-    /// The material of a ball with this name.
+    /// The material of a ball with this name, with a pattern or without.
     pub fn material(
         &mut self,
         name: &str,
+        patterned: bool,
         images: &mut Assets<Image>,
         materials: &mut Assets<StandardMaterial>,
     ) -> Handle<StandardMaterial> {
         let (colour, marking) = look(name);
         let quality = self.quality;
+        let pattern = if patterned { pattern(name) } else { (0, 0) };
         self.made
-            .entry((marking, colour.map(f32::to_bits)))
+            .entry((marking, colour.map(f32::to_bits), pattern))
             .or_insert_with(|| {
                 materials.add(StandardMaterial {
                     base_color_texture: Some(images.add(skin(
                         colour,
                         marking,
+                        pattern,
                         quality.anisotropy(),
                     ))),
                     // Phenolic resin, polished.

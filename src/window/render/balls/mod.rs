@@ -12,8 +12,10 @@ pub use motion::Turn;
 use bevy::light::{NotShadowCaster, NotShadowReceiver};
 use bevy::prelude::*;
 
+use crate::game::settings::{Marks, Settings};
 use crate::sim::components::{BallIndex, BallName, Position, Radius};
 use crate::window::render::Drawing;
+use crate::window::render::quality::RenderQuality;
 use globe::Looks;
 use motion::{Globe, Shade, Track};
 
@@ -21,7 +23,45 @@ pub(super) fn plugin(app: &mut App) {
     app.init_resource::<Looks>()
         .add_observer(dress)
         .add_systems(FixedPostUpdate, motion::follow)
-        .add_systems(RunFixedMainLoop, motion::place.in_set(Drawing::Balls));
+        .add_systems(
+            RunFixedMainLoop,
+            (change_clothes, motion::place)
+                .chain()
+                .in_set(Drawing::Balls),
+        );
+}
+
+/// Balls that are there already follow another quality or other marks.
+#[expect(
+    clippy::too_many_arguments,
+    reason = "three stores of assets, two reasons"
+)]
+fn change_clothes(
+    mut looks: ResMut<Looks>,
+    mut images: ResMut<Assets<Image>>,
+    mut materials: ResMut<Assets<StandardMaterial>>,
+    mut meshes: ResMut<Assets<Mesh>>,
+    settings: Res<Settings>,
+    quality: Res<RenderQuality>,
+    mut worn: Local<Option<(Marks, RenderQuality)>>,
+    balls: Query<(&BallName, &Children)>,
+    mut globes: Query<(&mut Mesh3d, &mut MeshMaterial3d<StandardMaterial>), With<Globe>>,
+) {
+    let wanted = (settings.marks, *quality);
+    let before = worn.replace(wanted);
+    if before.is_none_or(|before| before == wanted) {
+        return;
+    }
+    looks.suit(*quality, &mut meshes);
+    for (name, children) in &balls {
+        let patterned = settings.marks.patterns;
+        let material = looks.material(&name.0, patterned, &mut images, &mut materials);
+        let mut globes = globes.iter_many_mut(children);
+        while let Some((mut mesh, mut worn)) = globes.fetch_next() {
+            mesh.0 = looks.globe();
+            worn.0 = material.clone();
+        }
+    }
 }
 
 /// Gives a new ball its globe, its shade and its way of moving.
@@ -31,12 +71,14 @@ fn dress(
     mut looks: ResMut<Looks>,
     mut images: ResMut<Assets<Image>>,
     mut materials: ResMut<Assets<StandardMaterial>>,
+    settings: Res<Settings>,
     balls: Query<(&BallIndex, &BallName, &Position, &Radius)>,
 ) {
     let Ok((index, name, position, radius)) = balls.get(added.entity) else {
         return;
     };
-    let material = looks.material(&name.0, &mut images, &mut materials);
+    let patterned = settings.marks.patterns;
+    let material = looks.material(&name.0, patterned, &mut images, &mut materials);
     let scale = Vec3::splat(radius.0 as f32);
     let turn = motion::resting_turn(index.0, &name.0);
     commands.entity(added.entity).insert((

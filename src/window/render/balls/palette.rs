@@ -48,10 +48,47 @@ pub(super) fn look(name: &str) -> (Colour, Marking) {
         POOL[2]
     } else if word("black") {
         POOL[7]
+    } else if word("green") {
+        POOL[5]
+    } else if word("brown") {
+        [0.33, 0.14, 0.05]
+    } else if word("blue") {
+        POOL[1]
+    } else if word("pink") {
+        [0.90, 0.42, 0.50]
     } else {
         hashed(name)
     };
     (colour, Marking::Dots)
+}
+
+/// The pattern of a ball with this name, for whoever cannot tell its colour: how many rings around it, how many lines from
+/// pole to pole. A solid and the stripe of its colour have the same; the white ends of the stripe tell them apart.
+pub(super) fn pattern(name: &str) -> (u32, u32) {
+    const BY_NUMBER: [(u32, u32); 8] = [
+        (1, 0),
+        (2, 0),
+        (0, 4),
+        (0, 10),
+        (1, 4),
+        (3, 0),
+        (2, 10),
+        (0, 0),
+    ];
+    if let Ok(number @ 1..=15) = name.parse::<u8>() {
+        return BY_NUMBER[usize::from((number - 1) % 8)];
+    }
+    let name = name.to_lowercase();
+    [
+        ("yellow", (1, 0)),
+        ("green", (2, 0)),
+        ("brown", (0, 4)),
+        ("blue", (0, 10)),
+        ("pink", (1, 4)),
+    ]
+    .into_iter()
+    .find(|(word, _)| name.contains(word))
+    .map_or((0, 0), |(_, pattern)| pattern)
 }
 
 /// One of sixteen hues, by the name. Many balls then share few textures.
@@ -77,6 +114,23 @@ mod tests {
             let (solid, _) = look(&(number - 8).to_string());
             assert_eq!(stripe, solid);
             assert_eq!(marking, Marking::Stripe(number));
+        }
+    }
+
+    #[test]
+    fn no_two_colours_have_the_same_pattern() {
+        for names in [
+            ["1", "2", "3", "4", "5", "6", "7", "8"].as_slice(),
+            &["red 1", "yellow", "green", "brown", "blue", "pink"],
+        ] {
+            let mut seen: Vec<(u32, u32)> = names.iter().map(|name| pattern(name)).collect();
+            seen.sort_unstable();
+            seen.dedup();
+            assert_eq!(seen.len(), names.len());
+        }
+        for number in 9..=15_u8 {
+            let solid = (number - 8).to_string();
+            assert_eq!(pattern(&number.to_string()), pattern(&solid));
         }
     }
 

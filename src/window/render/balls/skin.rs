@@ -18,14 +18,28 @@ const CIRCLE: f32 = 0.40;
 /// Radius of a dot, in R.
 const DOT: f32 = 0.115;
 
-/// Paints a ball. Numbers sit on +x and −x, a stripe runs around the y axis.
-pub(super) fn skin(colour: Colour, marking: Marking, anisotropy: u16) -> Image {
+/// Half the width of a line of a pattern, in R.
+const LINE: f32 = 0.035;
+
+/// Paints a ball, with a pattern if it shall have one. Numbers sit on +x and −x, a stripe runs around the y axis.
+pub(super) fn skin(
+    colour: Colour,
+    marking: Marking,
+    pattern: (u32, u32),
+    anisotropy: u16,
+) -> Image {
     let numeral = match marking {
         Marking::Solid(number) | Marking::Stripe(number) => Some(Numeral::new(number)),
         Marking::Dots => None,
     };
     paint(Paint::Colour, SIZE, anisotropy, |u, v| {
         let direction = direction(u, v);
+        let ink = if light(colour) > 0.3 {
+            [0.02, 0.02, 0.025]
+        } else {
+            IVORY
+        };
+        let colour = mix(colour, ink, on_pattern(pattern, direction, u));
         let mut paint = colour;
         match marking {
             Marking::Stripe(_) => {
@@ -62,6 +76,23 @@ pub(super) fn direction(u: f32, v: f32) -> Vec3 {
     let (up, around) = libm::sincosf(latitude);
     let (z, x) = libm::sincosf(longitude);
     Vec3::new(around * x, up, around * z)
+}
+
+/// How much of a pattern's line covers a point, 0 to 1.
+fn on_pattern((rings, lines): (u32, u32), direction: Vec3, u: f32) -> f32 {
+    // Within the band of a stripe, so that a solid and its stripe show the same.
+    let gap = 2.0 * STRIPE / (rings + 1) as f32;
+    let ring = (1..=rings)
+        .map(|i| (direction.y + STRIPE - gap * i as f32).abs())
+        .fold(f32::INFINITY, f32::min);
+    let around = libm::hypotf(direction.x, direction.z);
+    let turn = (u * lines as f32 + 0.5).rem_euclid(1.0) - 0.5;
+    let line = if lines > 0 {
+        turn.abs() / lines as f32 * std::f32::consts::TAU * around
+    } else {
+        f32::INFINITY
+    };
+    soft(LINE - ring.min(line), 0.006)
 }
 
 fn light(colour: Colour) -> f32 {

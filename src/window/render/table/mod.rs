@@ -14,6 +14,7 @@ use bevy::light::{NotShadowCaster, NotShadowReceiver};
 use bevy::math::{DVec2, DVec3};
 use bevy::prelude::*;
 
+use crate::game::settings::Settings;
 use crate::physics::table::Table;
 use crate::sim::playfield::Playfield;
 use crate::window::render::plan::{area, circle};
@@ -21,14 +22,16 @@ use crate::window::render::solid::Solid;
 use crate::window::render::{Drawing, quality::RenderQuality};
 use measures::Measures;
 use noses::Noses;
-use surfaces::Surfaces;
+use surfaces::{Finish, Surfaces};
 
 pub(super) fn plugin(app: &mut App) {
     app.add_systems(
         RunFixedMainLoop,
-        build
-            .in_set(Drawing::Table)
-            .run_if(resource_exists_and_changed::<Playfield>),
+        build.in_set(Drawing::Table).run_if(
+            resource_exists_and_changed::<Playfield>
+                .or_else(resource_exists_and_changed::<Settings>)
+                .or_else(resource_exists_and_changed::<RenderQuality>),
+        ),
     );
 }
 
@@ -46,19 +49,27 @@ fn build(
     mut meshes: ResMut<Assets<Mesh>>,
     mut materials: ResMut<Assets<StandardMaterial>>,
     mut images: ResMut<Assets<Image>>,
-    mut drawn: Local<Option<(Table, Surfaces)>>,
+    mut drawn: Local<Option<(Table, Finish, Surfaces)>>,
     playfield: Res<Playfield>,
     quality: Res<RenderQuality>,
+    settings: Res<Settings>,
     old: Query<Entity, With<Furniture>>,
 ) {
     let table = &playfield.table;
+    let finish = Finish {
+        quality: *quality,
+        cloth: settings.cloth,
+        wood: settings.wood,
+    };
     let surfaces = match drawn.take() {
-        Some((old, surfaces)) if old == *table => {
-            *drawn = Some((old, surfaces));
-            return;
+        Some((old, as_now, surfaces)) if as_now == finish => {
+            if old == *table {
+                *drawn = Some((old, as_now, surfaces));
+                return;
+            }
+            surfaces
         }
-        Some((_, surfaces)) => surfaces,
-        None => Surfaces::new(*quality, &mut images, &mut materials),
+        _ => Surfaces::new(finish, &mut images, &mut materials),
     };
     for entity in &old {
         commands.entity(entity).despawn();
@@ -83,7 +94,7 @@ fn build(
         NotShadowCaster,
         NotShadowReceiver,
     ));
-    *drawn = Some((table.clone(), surfaces));
+    *drawn = Some((table.clone(), finish, surfaces));
 }
 
 /// What a part is made of.

@@ -2,12 +2,21 @@
 
 use bevy::prelude::*;
 
+use crate::game::settings::{ClothColour, Wood};
 use crate::window::render::paint::{Noise, Paint, paint};
 use crate::window::render::quality::RenderQuality;
 use crate::window::render::table::Surface;
 
 /// Side of the square of cloth that repeats, m.
 pub(super) const CLOTH_TILE: f64 = 0.16;
+
+/// What the materials depend on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Finish {
+    pub quality: RenderQuality,
+    pub cloth: ClothColour,
+    pub wood: Wood,
+}
 
 /// One material for each [`Surface`].
 pub(super) struct Surfaces {
@@ -22,10 +31,11 @@ pub(super) struct Surfaces {
 
 impl Surfaces {
     pub fn new(
-        quality: RenderQuality,
+        finish: Finish,
         images: &mut Assets<Image>,
         materials: &mut Assets<StandardMaterial>,
     ) -> Self {
+        let anisotropy = finish.quality.anisotropy();
         let plain = |colour: Color, roughness: f32| StandardMaterial {
             base_color: colour,
             perceptual_roughness: roughness,
@@ -33,14 +43,14 @@ impl Surfaces {
             ..default()
         };
         let cloth = StandardMaterial {
-            base_color_texture: Some(images.add(cloth_colour(quality.anisotropy()))),
-            normal_map_texture: Some(images.add(weave(quality.anisotropy()))),
+            base_color_texture: Some(images.add(cloth_colour(finish.cloth, anisotropy))),
+            normal_map_texture: Some(images.add(weave(anisotropy))),
             perceptual_roughness: 0.92,
             reflectance: 0.18,
             ..default()
         };
         let wood = StandardMaterial {
-            base_color_texture: Some(images.add(wood_colour(quality.anisotropy()))),
+            base_color_texture: Some(images.add(wood_colour(finish.wood, anisotropy))),
             perceptual_roughness: 0.32,
             reflectance: 0.45,
             ..default()
@@ -83,14 +93,21 @@ impl Surfaces {
     }
 }
 
-/// Tournament green-blue, not quite even: wool takes the dye thread by thread.
-fn cloth_colour(anisotropy: u16) -> Image {
+/// Dyed wool, not quite even: it takes the dye thread by thread.
+fn cloth_colour(cloth: ClothColour, anisotropy: u16) -> Image {
+    let dye = match cloth {
+        ClothColour::Tournament => [0.03, 0.44, 0.41],
+        ClothColour::Green => [0.03, 0.38, 0.12],
+        ClothColour::Blue => [0.04, 0.20, 0.52],
+        ClothColour::Burgundy => [0.40, 0.05, 0.09],
+        ClothColour::Grey => [0.30, 0.31, 0.32],
+    };
     let noise = Noise::new(11);
     paint(Paint::Colour, (512, 512), anisotropy, |u, v| {
         let blotch = noise.sum((u, v), (4, 4), 4);
         let thread = noise.octave((u, v), (256, 64)) + noise.octave((v, u), (256, 64));
         let light = 1.0 + 0.012 * blotch + 0.05 * thread;
-        [0.03, 0.44, 0.41].map(|c: f32| c * light)
+        dye.map(|c: f32| c * light)
     })
 }
 
@@ -117,10 +134,14 @@ fn weave(anisotropy: u16) -> Image {
     })
 }
 
-/// Mahogany, grain along u.
-fn wood_colour(anisotropy: u16) -> Image {
+/// Wood, grain along u.
+fn wood_colour(wood: Wood, anisotropy: u16) -> Image {
     let noise = Noise::new(23);
-    let (dark, light) = (Vec3::new(0.20, 0.075, 0.035), Vec3::new(0.50, 0.24, 0.12));
+    let (dark, light) = match wood {
+        Wood::Mahogany => (Vec3::new(0.20, 0.075, 0.035), Vec3::new(0.50, 0.24, 0.12)),
+        Wood::Oak => (Vec3::new(0.45, 0.30, 0.16), Vec3::new(0.72, 0.54, 0.34)),
+        Wood::Ebony => (Vec3::new(0.035, 0.03, 0.028), Vec3::new(0.13, 0.11, 0.10)),
+    };
     paint(Paint::Colour, (1024, 512), anisotropy, |u, v| {
         let bend = 0.06 * noise.sum((u, v), (2, 3), 2);
         let ring = noise.sum((u, (v + bend).rem_euclid(1.0)), (2, 28), 3);

@@ -1,0 +1,98 @@
+//! Placing balls with keys: the keys of heading and power move the ball that is chosen, the keys for the next ball choose
+//! another one.
+
+use bevy::prelude::*;
+use glam::{DVec2, DVec3};
+
+use super::keys::HeldKey;
+use super::{Actions, fineness};
+use crate::game::aim::Aim;
+use crate::game::practice::{Practice, PracticeCommand};
+use crate::physics::cue::Shot;
+use crate::sim::clock::Clock;
+use crate::sim::components::{BallIndex, MotionKind, Position};
+use crate::window::action::Action;
+
+/// Metres a step.
+const STEP: f64 = 0.01;
+
+/// The ball that keys move, and where they have asked for it to be since the last tick.
+#[derive(Resource, Debug, Default)]
+pub(super) struct Chosen {
+    ball: Option<usize>,
+    wish: Option<(DVec2, DVec2)>,
+}
+
+type Balls<'w, 's> = Query<'w, 's, (&'static BallIndex, &'static Position, &'static MotionKind)>;
+
+/// Chooses and moves a ball while balls are placed.
+#[expect(clippy::too_many_arguments, reason = "keys, time, balls, wishes")]
+pub(super) fn by_keys(
+    actions: Actions,
+    time: Res<Time<Real>>,
+    practice: Res<Practice>,
+    clock: Res<Clock>,
+    balls: Balls,
+    mut aim: ResMut<Aim>,
+    mut held: ResMut<HeldKey>,
+    mut chosen: ResMut<Chosen>,
+    mut commands: MessageWriter<PracticeCommand>,
+) {
+    if !practice.placing || clock.moving {
+        *chosen = Chosen::default();
+        return;
+    }
+    let mut in_play: Vec<(usize, DVec2)> = balls
+        .iter()
+        .filter(|ball| ball.2.0.in_play())
+        .map(|ball| (ball.0.0, DVec2::new(ball.1.0.x, ball.1.0.z)))
+        .collect();
+    in_play.sort_by_key(|(index, _)| *index);
+    let present = chosen.ball.unwrap_or(aim.ball);
+    let Some(mut at) = in_play.iter().position(|(index, _)| *index == present) else {
+        return;
+    };
+    for (action, step) in [
+        (Action::NextBallRight, 1),
+        (Action::NextBallLeft, in_play.len() - 1),
+    ] {
+        if actions.just_pressed(&action) {
+            at = (at + step) % in_play.len();
+            // The cue points at the ball that is chosen, so that one sees which it is.
+            let to = in_play[at].1;
+            if let Some((_, from)) = in_play.iter().find(|(index, _)| *index == aim.ball)
+                && to != *from
+            {
+                let level = |at: DVec2| DVec3::new(at.x, 0.0, at.y);
+                aim.set_heading(Shot::heading_between(level(*from), level(to)));
+            }
+        }
+    }
+    let (ball, place) = in_play[at];
+    if chosen.ball != Some(ball) {
+        chosen.wish = None;
+    }
+    chosen.ball = Some(ball);
+    let step = STEP * fineness(&actions);
+    let mut steps = |more, less| held.steps(&actions, &time, more, less);
+    let way = step
+        * DVec2::new(
+            steps(Action::AimRight, Action::AimLeft),
+            steps(Action::PowerDown, Action::PowerUp),
+        );
+    if way == DVec2::ZERO {
+        return;
+    }
+    // Between two ticks a wish goes on from the last one; what the table made of it counts from then on.
+    let from = match chosen.wish {
+        Some((seen, wish)) if seen == place => wish,
+        _ => place,
+    };
+    let wish = from + way;
+    chosen.wish = Some((place, wish));
+    commands.write(PracticeCommand::PlaceBall {
+        ball,
+        x: wish.x,
+        z: wish.y,
+    });
+}

@@ -1,0 +1,161 @@
+//! The menu over the table: the pages that are hung up in [`page`](crate::window::page), laid out one at a time.
+//!
+//! Everything in it is reached with the pointer, with Tab or arrows and Enter, or with a gamepad.
+
+mod equipment;
+mod main_page;
+mod new_game;
+mod pad;
+mod rows;
+mod settings;
+
+use bevy::prelude::*;
+use bevy_egui::input::EguiWantsInput;
+use bevy_egui::{EguiContext, EguiContexts, EguiPrimaryContextPass, PrimaryEguiContext, egui};
+use leafwing_input_manager::prelude::ActionState;
+
+use crate::game::settings::Settings;
+use crate::window::WindowSystems;
+use crate::window::action::Action;
+use crate::window::language::Language;
+use crate::window::page::{Open, Page, PageId, Pages, Screen, Show};
+
+/// Width of a page in points.
+const WIDTH: f32 = 520.0;
+/// Height in points of what stands above and below a page.
+const FRAME: f32 = 130.0;
+
+pub(super) fn plugin(app: &mut App) {
+    app.init_resource::<Laid>()
+        .add_plugins((
+            main_page::plugin,
+            new_game::plugin,
+            equipment::plugin,
+            settings::plugin,
+        ))
+        .add_systems(OnEnter(Screen::Menu), pause)
+        .add_systems(OnExit(Screen::Menu), go_on)
+        .add_systems(
+            PreUpdate,
+            (pad::steer, close)
+                .chain()
+                .run_if(in_state(Screen::Menu).and_then(not(settings::is_asking)))
+                .in_set(WindowSystems::Menu),
+        )
+        .add_systems(
+            EguiPrimaryContextPass,
+            (
+                scale.before(WindowSystems::Ui),
+                show.in_set(WindowSystems::Menu),
+            ),
+        );
+}
+
+/// Letters and panels as large as the player wants them.
+fn scale(mut contexts: EguiContexts, settings: Res<Settings>) -> Result {
+    let scales = Settings::SCALES;
+    let scale = settings.scale.clamp(*scales.start(), *scales.end());
+    contexts.ctx_mut()?.set_zoom_factor(scale);
+    Ok(())
+}
+
+fn pause(settings: Res<Settings>, mut time: ResMut<Time<Virtual>>) {
+    if settings.pause_in_menu {
+        time.pause();
+    }
+}
+
+fn go_on(mut time: ResMut<Time<Virtual>>) {
+    time.unpause();
+}
+
+/// Back by one page.
+fn close(
+    actions: Single<&ActionState<Action>>,
+    mut contexts: EguiContexts,
+    egui: Res<EguiWantsInput>,
+    mut open: ResMut<Open>,
+) -> Result {
+    let typing = contexts.ctx_mut()?.text_edit_focused();
+    if actions.just_pressed(&Action::Close) && !egui.is_popup_open() && !typing {
+        open.back();
+    }
+    Ok(())
+}
+
+/// What was laid out last: a page that opens gets the focus, and a widget that gets the focus is scrolled to.
+#[derive(Resource, Default)]
+struct Laid {
+    page: Option<(PageId, usize)>,
+    focus: Option<egui::Id>,
+}
+
+/// Lays out the page that is open.
+fn show(world: &mut World) {
+    let open = world.resource::<Open>();
+    let at = open.page().map(|page| (page, open.depth()));
+    let before = std::mem::replace(&mut world.resource_mut::<Laid>().page, at);
+    let Some((id, depth)) = at else { return };
+    let Some((page, show)) = world.resource::<Pages>().get(id) else {
+        world.resource_mut::<Open>().back();
+        return;
+    };
+    let mut contexts = world.query_filtered::<&mut EguiContext, With<PrimaryEguiContext>>();
+    let Ok(context) = contexts
+        .single_mut(world)
+        .map(|mut context| context.get_mut().clone())
+    else {
+        return;
+    };
+    let opened = before != at;
+    if opened {
+        context.memory_mut(egui::Memory::stop_text_input);
+        context.memory_mut(|memory| memory.move_focus(egui::FocusDirection::Next));
+    }
+    egui::Modal::new(egui::Id::new("menu"))
+        .backdrop_color(egui::Color32::from_black_alpha(110))
+        .show(&context, |ui| frame(ui, world, &page, show, depth));
+}
+
+/// Heading, page, way back.
+fn frame(ui: &mut egui::Ui, world: &mut World, page: &Page, show: Show, depth: usize) {
+    let language = world.resource::<Language>().clone();
+    let room = ui.ctx().content_rect().size();
+    ui.set_width(WIDTH.min(room.x - 60.0));
+    ui.vertical_centered(|ui| ui.heading(language.text(page.title)));
+    ui.separator();
+    egui::ScrollArea::vertical()
+        .id_salt(page.id.0)
+        .max_height(room.y - FRAME)
+        .show(ui, |ui| {
+            ui.set_width(ui.available_width());
+            if let Err(error) = world.run_system_with(show, ui) {
+                ui.label(error.to_string());
+            }
+            follow_focus(ui, &mut world.resource_mut::<Laid>());
+        });
+    if page.id == PageId::MAIN {
+        return;
+    }
+    ui.separator();
+    ui.horizontal(|ui| {
+        if ui.button(language.text("menu-back")).clicked() {
+            world.resource_mut::<Open>().back();
+        }
+        if depth > 1 && ui.button(language.text("menu-resume")).clicked() {
+            world.resource_mut::<Open>().close();
+        }
+    });
+}
+
+/// Scrolls to what has got the focus.
+fn follow_focus(ui: &mut egui::Ui, laid: &mut Laid) {
+    let focus = ui.memory(egui::Memory::focused);
+    if focus == laid.focus {
+        return;
+    }
+    laid.focus = focus;
+    if let Some(response) = focus.and_then(|id| ui.ctx().read_response(id)) {
+        ui.scroll_to_rect(response.rect.expand(12.0), None);
+    }
+}
