@@ -79,6 +79,10 @@ impl Plugin for WindowPlugin {
                     .after(EguiPreUpdateSet::ProcessInput),
             )
             .configure_sets(
+                PreUpdate,
+                (WindowSystems::Menu, WindowSystems::Asking).before(EguiPreUpdateSet::BeginPass),
+            )
+            .configure_sets(
                 EguiPrimaryContextPass,
                 (
                     WindowSystems::Ui.run_if(in_state(Screen::Table)),

@@ -96,7 +96,7 @@ fn a_frame_shows_cloth_balls_rails_and_pockets_where_they_are() {
 }
 
 /// The whole windowed program, with neither window nor graphics card nor loudspeaker.
-fn blind() -> App {
+pub(crate) fn blind() -> App {
     let mut app = App::new();
     app.add_plugins(
         DefaultPlugins

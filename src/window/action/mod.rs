@@ -11,6 +11,7 @@ pub use control::{Control, Way};
 pub use controls::{CONTROLS, Line, Topic};
 pub use latch::Latched;
 
+use bevy::ecs::message::MessageUpdateSystems;
 use bevy::prelude::*;
 use leafwing_input_manager::plugin::InputManagerSystem;
 use leafwing_input_manager::prelude::*;
@@ -144,7 +145,7 @@ pub(super) fn plugin(app: &mut App) {
         .add_systems(Startup, |mut commands: Commands| {
             commands.spawn((Name::new("Controls"), default_keys()));
         })
-        .add_systems(First, bindings::follow)
+        .add_systems(First, bindings::follow.after(MessageUpdateSystems))
         .add_systems(
             PreUpdate,
             (latch::feel_sticks, latch::catch_taps, latch::hold)

@@ -41,7 +41,9 @@ pub(super) fn plugin(app: &mut App) {
             EguiPrimaryContextPass,
             (
                 labels::show,
-                (status::show, replay::show).run_if(in_state(Screen::Table)),
+                (status::show, replay::show)
+                    .chain()
+                    .run_if(in_state(Screen::Table)),
                 notice::show,
                 help::show.run_if(in_state(Screen::Table)),
             )

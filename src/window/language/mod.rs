@@ -6,6 +6,7 @@ mod texts;
 
 use std::sync::Arc;
 
+use bevy::ecs::message::MessageUpdateSystems;
 use bevy::prelude::*;
 use fluent_bundle::FluentValue;
 
@@ -141,7 +142,8 @@ fn best(locales: impl IntoIterator<Item = String>) -> &'static str {
 }
 
 pub(super) fn plugin(app: &mut App) {
-    app.init_resource::<Language>().add_systems(First, speak);
+    app.init_resource::<Language>()
+        .add_systems(First, speak.after(MessageUpdateSystems));
 }
 
 /// Speaks the language of the settings, or that of the system.

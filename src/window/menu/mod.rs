@@ -75,18 +75,21 @@ fn close(
     mut contexts: EguiContexts,
     egui: Res<EguiWantsInput>,
     mut open: ResMut<Open>,
-) -> Result {
-    let typing = contexts.ctx_mut()?.text_edit_focused();
+) {
+    let typing = contexts
+        .ctx_mut()
+        .is_ok_and(|context| context.text_edit_focused());
     if actions.just_pressed(&Action::Close) && !egui.is_popup_open() && !typing {
         open.back();
     }
-    Ok(())
 }
 
 /// What was laid out last: a page that opens gets the focus, and a widget that gets the focus is scrolled to.
 #[derive(Resource, Default)]
 struct Laid {
     page: Option<(PageId, usize)>,
+    /// Whether nothing on the page has had the focus yet.
+    wants_focus: bool,
     focus: Option<egui::Id>,
 }
 
@@ -107,10 +110,17 @@ fn show(world: &mut World) {
     else {
         return;
     };
-    let opened = before != at;
-    if opened {
+    let mut laid = world.resource_mut::<Laid>();
+    if before != at {
+        laid.wants_focus = true;
         context.memory_mut(egui::Memory::stop_text_input);
-        context.memory_mut(|memory| memory.move_focus(egui::FocusDirection::Next));
+    }
+    // A page that has just been opened may take a frame until anything on it can have the focus.
+    if laid.wants_focus {
+        laid.wants_focus = context.memory(egui::Memory::focused).is_none();
+        if laid.wants_focus {
+            context.memory_mut(|memory| memory.move_focus(egui::FocusDirection::Next));
+        }
     }
     egui::Modal::new(egui::Id::new("menu"))
         .backdrop_color(egui::Color32::from_black_alpha(110))

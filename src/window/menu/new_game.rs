@@ -71,11 +71,8 @@ fn show(
             rows::heading(ui, language.text(group));
         }
         let name = language.find(&mode.title).unwrap_or(&mode.name);
-        let mut button = ui.add(
-            egui::Button::new(name)
-                .min_size(egui::vec2(ui.available_width(), 0.0))
-                .right_text(""),
-        );
+        let mut button =
+            ui.add(egui::Button::new(name).min_size(egui::vec2(ui.available_width(), 0.0)));
         if let Some(about) = mode.about {
             button = button.on_hover_text(language.text(about));
         }

@@ -15,6 +15,7 @@ mod studio;
 mod table;
 mod trails;
 
+use bevy::ecs::message::MessageUpdateSystems;
 use bevy::prelude::*;
 
 use crate::window::WindowSystems;
@@ -53,7 +54,7 @@ pub(super) fn plugin(app: &mut App) {
             .chain()
     };
     app.init_resource::<RenderQuality>()
-        .add_systems(First, quality::follow)
+        .add_systems(First, quality::follow.after(MessageUpdateSystems))
         .configure_sets(Startup, order())
         .configure_sets(RunFixedMainLoop, order().in_set(WindowSystems::Present))
         .configure_sets(Update, order())

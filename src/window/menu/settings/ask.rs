@@ -17,9 +17,9 @@ const MEANT: f32 = 0.7;
 
 /// A control that is asked for.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Question {
+pub(in crate::window::menu) struct Question {
     /// What it shall do.
-    pub action: Action,
+    pub(super) action: Action,
     /// Which control of the action gives way to it; none if it comes as well.
     slot: Option<usize>,
     /// What was pressed before the question is no answer: it is read once and forgotten.
@@ -28,11 +28,11 @@ pub(super) struct Question {
 
 /// The control that is asked for, if one is.
 #[derive(Resource, Debug, Default)]
-pub(super) struct Asking(pub Option<Question>);
+pub(in crate::window::menu) struct Asking(pub(super) Option<Question>);
 
 impl Asking {
     /// Asks for a control that does this, instead of another or as well.
-    pub fn ask(&mut self, action: Action, slot: Option<usize>) {
+    pub(super) fn ask(&mut self, action: Action, slot: Option<usize>) {
         self.0 = Some(Question {
             action,
             slot,
