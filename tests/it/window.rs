@@ -24,7 +24,7 @@ use masse::window::windowed;
 fn scene() -> Scene {
     let mut scene = Scene::new(Preset::NineFoot.table(), Laws::default());
     scene.place("cue", Ball::POOL, -0.6, 0.0);
-    scene.place("2", Ball::POOL, 0.3, 0.3);
+    scene.place("2", Ball::POOL, 0.3, 0.2);
     scene.place("3", Ball::POOL, 0.5, -0.3);
     scene
 }

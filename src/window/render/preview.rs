@@ -19,7 +19,8 @@ const CHORD: f64 = 0.02;
 const HEIGHT: f32 = 0.0015;
 
 pub(super) fn plugin(app: &mut App) {
-    app.add_systems(RunFixedMainLoop, draw.in_set(Drawing::Preview));
+    // Gizmos belong to the schedule they are drawn in; those of the fixed loop would not be seen every frame.
+    app.add_systems(Update, draw.in_set(Drawing::Preview));
 }
 
 /// Draws the preview of the present aim while nothing moves.

@@ -23,7 +23,8 @@ const SIZE: egui::Vec2 = egui::vec2(1000.0, 640.0);
 /// The windowed program, a few frames old.
 fn app() -> App {
     let mut app = blind();
-    app.world_mut().spawn(PrimaryEguiContext);
+    // The camera, and with it the panels, come with the first frame.
+    app.update();
     for _ in 0..3 {
         step(&mut app);
     }

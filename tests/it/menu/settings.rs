@@ -33,6 +33,7 @@ fn a_language_is_spoken_at_once_and_scale_and_switches_are_set_with_keys() {
     assert_eq!(settings.scale, 1.25);
     assert!(settings.reduced_motion && settings.marks.patterns && settings.marks.labels);
     choose(&mut app, "Zurück");
+    choose(&mut app, "Einstellungen");
     choose(&mut app, "Alles wie am Anfang");
     assert_eq!(*app.world().resource::<Settings>(), Settings::default());
 }
