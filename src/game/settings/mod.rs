@@ -69,6 +69,10 @@ impl Default for Settings {
 }
 
 /// Actions that last as long as a key is held, or from one press to the next.
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "four switches that a player sets apart"
+)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Toggles {

@@ -51,7 +51,6 @@ impl Control {
     }
 
     /// The kind of input that an action needs for this control.
-    #[must_use]
     pub fn kind(self) -> InputControlKind {
         match self {
             Self::Wheel => InputControlKind::Axis,

@@ -48,7 +48,7 @@ pub(super) fn listen(
     mut notices: ResMut<Notices>,
 ) {
     for failure in failed.read() {
-        let (at, reason) = (format!("{:.4}", failure.time), failure.reason.to_string());
+        let (at, reason) = (format!("{:.4}", failure.time), failure.reason.clone());
         let saying = Saying::new(
             "notice-solver",
             &[("time", &at), ("reason", &reason)],

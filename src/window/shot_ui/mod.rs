@@ -126,7 +126,7 @@ fn contents(ui: &mut egui::Ui, desk: &mut Desk) {
     table::show(ui, desk);
     ui.separator();
     fold(ui, &language, "shot-equipment", |ui| {
-        equipment::show(ui, desk)
+        equipment::show(ui, desk);
     });
     fold(ui, &language, "shot-last", |ui| last::show(ui, desk));
     fold(ui, &language, "shot-model", |ui| model::show(ui, desk));
