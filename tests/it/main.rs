@@ -6,7 +6,6 @@ mod cli;
 mod closeness;
 #[cfg(feature = "window")]
 mod controls;
-
 mod crowds;
 mod cue_path;
 mod equip;
