@@ -5,7 +5,7 @@
 //! the reason where it is known. The third table measures the coursework model by both. What is ours in a row is always
 //! computed by the laws and the solvers that the game uses; what is expected never is.
 //!
-//! The names J1 to J17, H15, H16, E1 to E12 and C1 to C5 are this project's own numbers for them. No coefficient was
+//! The names J1 to J19, H15, H16, E1 to E12 and C1 to C5 are this project's own numbers for them. No coefficient was
 //! fitted to an experiment by us; where the authors of a law fitted theirs to the set, the row says so.
 //!
 //! A new judge is one function that returns rows and one entry in its list; a new law that is registered in the `all()`

@@ -64,6 +64,19 @@ impl Row {
             .by("closed form")
     }
 
+    /// A value to an absolute tolerance.
+    #[must_use]
+    pub fn near(
+        name: &str,
+        law: &str,
+        expected: f64,
+        ours: f64,
+        unit: &'static str,
+        tolerance: f64,
+    ) -> Self {
+        Self::new(name, law, expected, ours, unit).judged(Measure::Absolute, tolerance)
+    }
+
     /// A value that is printed with this many decimals: to half a unit of the last one, and a hundredth of it for a tie.
     #[must_use]
     pub fn printed(

@@ -4,6 +4,7 @@ mod collision;
 mod cushion;
 mod deflection;
 mod mathavan;
+mod pocket;
 mod simultaneous;
 mod slate;
 mod slide;
@@ -41,6 +42,8 @@ pub(super) const ALL: &[Family] = &[
         Work::Laws(mathavan::ball_ball),
     ),
     ("J16 bounces", Work::Shots(slate::rows)),
+    ("J18 pockets", Work::Shots(pocket::rows)),
+    ("J19 straight shot", Work::Shots(pocket::straight)),
     ("cushions", Work::Laws(cushion::rows)),
     ("H15 H16 ball-ball laws", Work::Laws(symmetry::ball_ball)),
     ("H15 H16 cushion laws", Work::Laws(symmetry::cushion)),
