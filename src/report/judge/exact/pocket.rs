@@ -107,7 +107,10 @@ impl Mouth {
         let mut scene = Scene::new(table, Laws::ideal());
         let angle = degrees.to_radians();
         let (sin, cos) = (libm::sin(angle), libm::cos(angle));
-        let start = INCH * (left * DVec2::new(-cos, sin) - 30.0 * DVec2::new(sin, cos));
+        let start = INCH * (left * DVec2::new(-cos, sin) - 45.0 * DVec2::new(sin, cos));
+        if self.behind_a_rail(start) {
+            return Ok(None);
+        }
         let ball = Ball {
             spins: false,
             ..Ball::POOL
@@ -126,22 +129,33 @@ impl Mouth {
         Ok(None)
     }
 
+    /// Whether a ball with its centre here would have to come through a rail.
+    fn behind_a_rail(&self, start: DVec2) -> bool {
+        let Some(rails) = self.rails else {
+            return false;
+        };
+        let (sin, cos) = (libm::sin(rails.to_radians()), libm::cos(rails.to_radians()));
+        [-1.0, 1.0].into_iter().any(|side| {
+            let point = INCH * DVec2::new(0.5 * side * self.width, 0.0);
+            (start - point).dot(DVec2::new(-side * sin, -cos)) <= Ball::POOL.radius
+        })
+    }
+
     /// The furthest to the left in inches that goes in after at most so many contacts, searched from `from`, and what the
     /// ball meets there.
     fn edge(&self, degrees: f64, most: usize, from: f64) -> Result<(f64, Vec<Met>), Stopped> {
-        const STEP: f64 = 0.01;
         let goes_in =
             |left: f64| Ok::<_, Stopped>(self.play(degrees, left)?.filter(|met| met.len() <= most));
         let mut inner = from;
         let mut way = goes_in(inner)?;
         while way.is_none() {
-            inner -= STEP;
+            inner -= step;
             if inner < -self.width {
                 return Ok((f64::NAN, Vec::new()));
             }
             way = goes_in(inner)?;
         }
-        let mut outer = inner + STEP;
+        let mut outer = inner + step;
         for _ in 0..44 {
             let middle = f64::midpoint(inner, outer);
             if let Some(met) = goes_in(middle)? {
@@ -153,9 +167,10 @@ impl Mouth {
         Ok((inner, way.unwrap_or_default()))
     }
 
-    /// Beyond this offset in inches the rail is all that a ball meets.
-    fn beyond(&self, degrees: f64) -> f64 {
-        0.5 * self.width * libm::cos(degrees.to_radians()) + Ball::POOL.radius / INCH
+    /// Where to search from: beyond this offset in inches the rail is all that a ball meets.
+    fn beyond(&self, degrees: f64) -> (f64, f64) {
+        let far = 0.5 * self.width * libm::cos(degrees.to_radians()) + Ball::POOL.radius / INCH;
+        (far, 0.01)
     }
 }
 
@@ -233,11 +248,11 @@ fn corner() -> Result<Vec<Row>, Stopped> {
         rails: None,
         ..CORNER
     };
-    let along_rail = 4.0;
+    let along_rail = (4.0, 0.01);
     for (degrees, mouth, most, from, expected) in [
         (28.167, CORNER, 3, along_rail, 0.945),
         (38.558, CORNER, 3, along_rail, 1.829),
-        (-51.442, bare, 2, 2.0, 0.841),
+        (-51.442, bare, 2, (2.0, 0.01), 0.841),
     ] {
         let (ours, _) = mouth.edge(degrees, most, from)?;
         let title = format!("J18 corner pocket at {degrees}°: left of the middle");
@@ -252,7 +267,7 @@ fn corner() -> Result<Vec<Row>, Stopped> {
         let (_, met) = CORNER.edge(degrees, 3, along_rail)?;
         Ok(met == [Met::Rail, Met::Facing, Met::Facing])
     };
-    let switch = last((35.0, 42.0), two_facings)?;
+    let switch = last((36.0, 40.0), two_facings)?;
     rows.push(
         Row::printed(
             "J18 corner pocket: rail, then the far point instead of two facings, from",
@@ -263,11 +278,12 @@ fn corner() -> Result<Vec<Row>, Stopped> {
         )
         .by(CORNER_PAPER),
     );
+    // The way by the rail begins as a narrow one beside the other.
     let by_rail = |degrees: f64| {
-        let (_, met) = CORNER.edge(degrees, 3, along_rail)?;
+        let (_, met) = CORNER.edge(degrees, 3, (1.1, 1e-4))?;
         Ok(met.first() == Some(&Met::Rail))
     };
-    let switch = last((32.0, 25.0), by_rail)?;
+    let switch = last((28.3, 28.0), by_rail)?;
     rows.push(
         Row::printed(
             "J18 corner pocket: the rail helps from",
