@@ -142,8 +142,13 @@ impl Mouth {
     }
 
     /// The furthest to the left in inches that goes in after at most so many contacts, searched from `from`, and what the
-    /// ball meets there.
-    fn edge(&self, degrees: f64, most: usize, from: f64) -> Result<(f64, Vec<Met>), Stopped> {
+    /// ball meets there. A gap between two ways in that is narrower than `step` in inches is not seen.
+    fn edge(
+        &self,
+        degrees: f64,
+        most: usize,
+        (from, step): (f64, f64),
+    ) -> Result<(f64, Vec<Met>), Stopped> {
         let goes_in =
             |left: f64| Ok::<_, Stopped>(self.play(degrees, left)?.filter(|met| met.len() <= most));
         let mut inner = from;
