@@ -22,7 +22,8 @@ pub(super) const GAS: &str = "gas";
 /// The scene of which energy is followed beside the gas.
 pub(super) const LOOSE: &str = "five-loose-balls";
 
-/// A break of balls that do not touch before: impacts come one after another, as a stepped solver has them.
+/// A break of balls that do not touch before: impacts come one after another. The break of the library has a frozen rack,
+/// whose contacts are resolved together.
 pub(super) const LOOSENED: &str = "loosened-break";
 
 /// One scene, started in several places so that the tick falls anywhere around its contacts.

@@ -182,7 +182,7 @@ fn statistics(report: &Report, out: &mut String) -> std::fmt::Result {
     };
     writeln!(
         out,
-        "## Beyond the horizon: {} breaks of each rack\n\nEach turned by up to 1e-3 rad; mean ± standard deviation, and in brackets how far the mean lies from the exact solver's in standard errors of the difference. Paths are summed over chords of 1/60 s. Where the balls of a rack touch, the exact solver resolves all contacts at once and a stepped one pair after pair: those are two answers to a question that the laws for two balls leave open, and no tick makes them one.\n",
+        "## Beyond the horizon: {} breaks of each rack\n\nEach turned by up to 1e-3 rad; mean ± standard deviation, and in brackets how far the mean lies from the exact solver's in standard errors of the difference. Paths are summed over chords of 1/60 s.\n",
         first.shots
     )?;
     writeln!(

@@ -283,12 +283,13 @@ fn corner() -> Result<Vec<Row>, Stopped> {
         )
         .by(CORNER_PAPER),
     );
-    // The way by the rail begins as a narrow one beside the other.
+    // The way by the rail begins as a narrow one beside the other: it is found once it is as wide as the search is fine,
+    // here some 0.0001° late.
     let by_rail = |degrees: f64| {
-        let (_, met) = CORNER.edge(degrees, 3, (1.1, 1e-4))?;
+        let (_, met) = CORNER.edge(degrees, 3, (0.95, 5e-6))?;
         Ok(met.first() == Some(&Met::Rail))
     };
-    let switch = last((28.3, 28.0), by_rail)?;
+    let switch = last((28.2, 28.1), by_rail)?;
     rows.push(
         Row::printed(
             "J18 corner pocket: the rail helps from",
