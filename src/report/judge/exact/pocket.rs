@@ -298,6 +298,9 @@ fn corner() -> Result<Vec<Row>, Stopped> {
             switch,
             "°",
         )
+        // Half a unit of the last digit, and what the remark says.
+        .within(1.4e-3)
+        .remark("A ball that meets the rail within 8 µm of the point is nearer to the point than the 1e-9 m at which bodies touch, and meets both: that shifts the angle by 0.0008°.")
         .by(CORNER_PAPER),
     );
     Ok(rows)
