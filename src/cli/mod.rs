@@ -15,6 +15,7 @@ mod write;
 
 pub use play::fallback;
 
+use std::ffi::OsString;
 use std::io::{self, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -166,6 +167,15 @@ impl CommandError {
             Self::Write { .. } => 3,
             Self::Unfinished(_) => 4,
         }
+    }
+}
+
+/// Reads a command line, the name of the program first, without doing what it says: the exit code that it deserves, 0 if it
+/// is one, or asks for help.
+pub fn read(arguments: impl IntoIterator<Item = OsString>) -> u8 {
+    match Cli::try_parse_from(arguments) {
+        Ok(_) => 0,
+        Err(error) => u8::try_from(error.exit_code()).unwrap_or(2),
     }
 }
 

@@ -12,6 +12,7 @@ use crate::physics::laws::ball_ball::BallBallLaw;
 use crate::physics::laws::cluster::CONTACT_TIME;
 use crate::physics::record::{Event, EventKind, Participant, PathPiece, Record};
 use crate::physics::scene::Scene;
+use crate::physics::table::Ground;
 
 /// Energy in J by which the pieces of a roll over the edge of a pocket are off between their ends, per kg: they leave the
 /// arc by up to 0.05 mm.
@@ -200,13 +201,7 @@ impl<'s> Audit<'s> {
             let (distance, _) = cushion.nearest(point);
             self.worst.cushion = self.worst.cushion.max(reach - distance);
         }
-        let near = |factor: f64| {
-            let within = |pocket: &crate::physics::table::Pocket| {
-                point.distance(pocket.center) < factor * pocket.radius
-            };
-            table.pockets.iter().any(within)
-        };
-        if table.beyond(point) > 0.0 && !near(2.5) {
+        if table.beyond(point) > 0.0 && table.ground(point) == Ground::Off {
             self.worst.left += 1;
         }
     }

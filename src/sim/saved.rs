@@ -7,7 +7,7 @@ use crate::physics::ball::State;
 use crate::physics::exact::{Engine, Limits, Saved, SolveError};
 use crate::physics::laws::cluster::Other;
 use crate::physics::record::{Event, PathPiece};
-use crate::physics::scene::Scene;
+use crate::physics::scene::{Scene, Solver};
 use crate::sim::clock::Clock;
 use crate::sim::components::{AngularVelocity, BallIndex, MotionKind, Position, Velocity};
 use crate::sim::exact::LiveEngine;
@@ -38,6 +38,24 @@ impl SavedTable {
     #[must_use]
     pub fn scene(&self) -> &Scene {
         &self.scene
+    }
+
+    /// Every ball that is told of is there, and the solver is one for these laws.
+    fn check_balls(&self) -> Result<(), SolveError> {
+        let count = self.scene.balls.len();
+        let balls = |event: &Event| event.participants().map(|one| one.ball).max();
+        let told = self.events.iter().filter_map(balls).max();
+        let missing = told.filter(|ball| *ball >= count);
+        let lists = [self.paths.len(), self.trails.len()];
+        let crowd = self.scene.solver.is_crowd();
+        if let Some(ball) = missing.or(lists.into_iter().find(|length| !crowd && *length != count))
+        {
+            return Err(SolveError::NoSuchBall { ball, count });
+        }
+        if self.scene.solver == Solver::Exact && !self.scene.laws.motion.is_closed_form() {
+            return Err(SolveError::NotClosedForm);
+        }
+        Ok(())
     }
 }
 
@@ -76,6 +94,8 @@ pub fn save(world: &mut World) -> SavedTable {
 /// [`SolveError`] if what was saved does not fit together; the world is then as before.
 pub fn restore(world: &mut World, saved: &SavedTable) -> Result<(), SolveError> {
     let SavedTable { scene, engine, .. } = saved;
+    scene.check_numbers()?;
+    saved.check_balls()?;
     let restored = |engine| Engine::restore(scene, engine, Limits::default());
     let engine = engine.as_ref().map(restored).transpose()?;
     lay_out(world, scene);

@@ -185,6 +185,12 @@ impl Cells {
         (row + 1) * self.stride + column + 1
     }
 
+    /// Whether this is the number of a cell of the table.
+    pub(super) fn has(&self, cell: u32) -> bool {
+        let (column, row) = (cell % self.stride, cell / self.stride);
+        (1..=self.columns).contains(&column) && (1..=self.rows).contains(&row)
+    }
+
     pub(super) fn insert(&mut self, ball: u32, cell: u32) {
         let room = &mut self.rooms[cell as usize];
         let free = room[..ROOM - 1].iter().position(|other| *other == NONE);

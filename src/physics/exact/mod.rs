@@ -127,6 +127,14 @@ pub enum SolveError {
         /// The ball of the last event.
         ball: String,
     },
+    /// What was saved does not fit together.
+    #[error("a saved table does not fit: ball `{ball}`: {what}")]
+    Saved {
+        /// The ball; empty if it is no one's.
+        ball: String,
+        /// What does not fit.
+        what: String,
+    },
     /// There is no such ball.
     #[error("there is no ball number {ball}, the table has {count}")]
     NoSuchBall {

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::physics::airborne::Landing;
 use crate::physics::ball::State;
 use crate::physics::exact::flight::Flight;
 use crate::physics::exact::predict::{Next, Partner};
@@ -62,6 +63,48 @@ impl Engine {
         }
     }
 
+    /// Nothing in a saved ball points to what is not there.
+    fn check_saved(&self, index: usize, ball: &SavedBall) -> Result<(), SolveError> {
+        let refuse = |what: String| {
+            Err(SolveError::Saved {
+                ball: self.names[index].clone(),
+                what,
+            })
+        };
+        let (balls, table) = (self.count(), &self.table);
+        let is_there = |partner: Partner| match partner {
+            Partner::Ball(other) => (other as usize) < balls && other as usize != index,
+            Partner::Cushion(cushion) => (cushion as usize) < table.cushions.len(),
+            Partner::Pocket(pocket) => (pocket as usize) < table.pockets.len(),
+            Partner::Landing(
+                Landing::Rim(pocket) | Landing::Wall(pocket) | Landing::Bottom(pocket),
+            ) => pocket < table.pockets.len(),
+            Partner::Cell(cell) => self.cells.as_ref().is_some_and(|cells| cells.has(cell)),
+            Partner::Landing(Landing::Slate | Landing::Off)
+            | Partner::Motion
+            | Partner::Nothing => true,
+        };
+        let next = ball
+            .next
+            .filter(|(time, partner, _)| !time.is_finite() || !is_there(*partner));
+        if let Some((time, partner, _)) = next {
+            return refuse(format!("next event at {time} s, {partner:?}"));
+        }
+        if !ball.since.is_finite() {
+            return refuse(format!("path since {} s", ball.since));
+        }
+        let cell = ball.cell.filter(|cell| *cell != u32::MAX);
+        let lost = match (&self.cells, cell) {
+            (Some(cells), Some(cell)) => !cells.has(cell),
+            (Some(_), None) => ball.start.motion.in_play(),
+            (None, _) => false,
+        };
+        if lost {
+            return refuse(format!("cell {cell:?}"));
+        }
+        Ok(())
+    }
+
     /// The engine that was saved, from the scene from which it was made.
     ///
     /// # Errors
@@ -72,6 +115,15 @@ impl Engine {
             return Err(SolveError::NoSuchBall {
                 ball: saved.balls.len(),
                 count: engine.count(),
+            });
+        }
+        for (index, ball) in saved.balls.iter().enumerate() {
+            engine.check_saved(index, ball)?;
+        }
+        if !(saved.time.is_finite() && saved.last.is_finite()) {
+            return Err(SolveError::Saved {
+                ball: String::new(),
+                what: format!("times {} and {}", saved.time, saved.last),
             });
         }
         engine.clock = saved.time;

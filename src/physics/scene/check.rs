@@ -6,7 +6,7 @@ use glam::DVec2;
 
 use crate::physics::scene::range::{Listed, check_parameters, in_plan, in_space, within};
 use crate::physics::scene::{Scene, SceneBall, SceneError, Solver};
-use crate::physics::table::Cushion;
+use crate::physics::table::{Cushion, Ground};
 
 /// Overlap in m that still counts as touching: rounding of positions written in a file.
 pub const OVERLAP_TOLERANCE: f64 = 1e-9;
@@ -99,6 +99,16 @@ impl Scene {
             }
         }
         Ok(())
+    }
+
+    /// Checks every number of the scene, but not whether the balls have room where they are, as they may not have in the
+    /// middle of a shot.
+    ///
+    /// # Errors
+    /// A [`SceneError`] that names the field and the value.
+    pub fn check_numbers(&self) -> Result<(), SceneError> {
+        self.check_surroundings()?;
+        self.check_balls()
     }
 
     fn check_shot(&self) -> Result<(), SceneError> {
@@ -236,7 +246,14 @@ impl Scene {
             for (cushion, nose) in self.table.cushions.iter().enumerate() {
                 let (profile, nose_height) = (&self.table.nose, self.table.nose_height);
                 let Some(reach) = profile.reach_at(nose_height, radius, position.y) else {
-                    continue;
+                    if position.y >= nose_height {
+                        continue;
+                    }
+                    return Err(SceneError::UnderNose {
+                        ball: name(),
+                        radius,
+                        nose_height,
+                    });
                 };
                 let overlap = reach - nose.nearest(plan).0;
                 if overlap > OVERLAP_TOLERANCE {
@@ -247,7 +264,6 @@ impl Scene {
                     });
                 }
             }
-            let mut in_mouth = false;
             for pocket in &self.table.pockets {
                 let distance = (plan - pocket.center).length();
                 if distance < pocket.radius && !flies {
@@ -257,12 +273,9 @@ impl Scene {
                         overlap: pocket.radius - distance,
                     });
                 }
-                // On the shelf of a side pocket a ball can rest past the line of the noses.
-                in_mouth |= distance < pocket.radius + radius;
             }
-            let outside =
-                plan.x.abs() > 0.5 * self.table.length || plan.y.abs() > 0.5 * self.table.width;
-            if outside && !in_mouth {
+            // On the shelf of a pocket a ball can rest past the line of the noses.
+            if self.table.beyond(plan) > 0.0 && self.table.ground(plan) == Ground::Off {
                 return Err(SceneError::OffTable {
                     ball: name(),
                     x: plan.x,

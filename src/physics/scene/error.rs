@@ -138,6 +138,18 @@ pub enum SceneError {
         /// Radius, m.
         radius: f64,
     },
+    /// The noses pass over a ball.
+    #[error(
+        "balls: `{ball}`: radius {radius} m: the noses, {nose_height} m high, would pass over it"
+    )]
+    UnderNose {
+        /// The ball.
+        ball: String,
+        /// Radius, m.
+        radius: f64,
+        /// Height of the noses, m.
+        nose_height: f64,
+    },
     /// The table is too small for a ball.
     #[error("table: {length} m x {width} m is smaller than ball `{ball}` of radius {radius} m")]
     TableTooSmall {

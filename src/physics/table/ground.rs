@@ -44,7 +44,9 @@ impl Table {
         // Behind the line of the noses only the shelves of the pockets are slate: what the hole sees past its facings.
         let is_shelf = over(2.5).is_some_and(|pocket| {
             let center = self.pockets[pocket].center;
-            !self.cushions.iter().any(|cushion| match cushion {
+            // Behind the hole there is wood.
+            (point - center).dot(self.outward(center)) <= 0.0
+                && !self.cushions.iter().any(|cushion| match cushion {
                 Cushion::Line(line) => crosses(center, point, line.from, line.to),
                 Cushion::Arc(arc) => {
                     let way = point - center;

@@ -11,7 +11,7 @@ use serde_json::Value;
 use crate::physics::ball::Ball;
 use crate::physics::cue::Cue;
 use crate::physics::equipment::Equipment;
-use crate::physics::laws::Laws;
+use crate::physics::laws::{Check, Laws, Parameter};
 use crate::physics::scene::SceneError;
 use crate::scenarios::file::{FieldError, LayoutError};
 
@@ -39,6 +39,7 @@ pub(super) fn set(equipment: &mut Equipment, numbers: &Numbers) -> Result<(), La
     if numbers.is_empty() {
         return Ok(());
     }
+    finite(equipment)?;
     let all = Settable {
         table: SettableTable {
             nose_height: equipment.table.nose_height,
@@ -67,6 +68,29 @@ pub(super) fn set(equipment: &mut Equipment, numbers: &Numbers) -> Result<(), La
     equipment.balls.object = all.ball;
     equipment.balls.cue = all.cue_ball;
     Ok(())
+}
+
+/// No number that stands already is infinite or none: such have no serialized form.
+fn finite(equipment: &Equipment) -> Result<(), SceneError> {
+    let balls = [
+        ("ball", &equipment.balls.object),
+        ("cue_ball", &equipment.balls.cue),
+    ];
+    let bodies = balls.iter().flat_map(|(name, ball)| {
+        let numbers = [("mass", ball.mass), ("radius", ball.radius)];
+        numbers.map(|(field, value)| (format!("{name}.{field}"), value))
+    });
+    let named = |class: &'static str| {
+        move |parameter: Parameter| (format!("{class}.{}", parameter.field), parameter.value)
+    };
+    let laws = equipment.laws.parameters().into_iter().map(named("laws"));
+    let cue = equipment.cue.parameters().into_iter().map(named("cue"));
+    let height = std::iter::once(("table.nose_height".to_owned(), equipment.table.nose_height));
+    let mut all = bodies.chain(laws).chain(cue).chain(height);
+    match all.find(|(_, value)| !value.is_finite()) {
+        Some((field, value)) => Err(SceneError::NotFinite { field, value }),
+        None => Ok(()),
+    }
 }
 
 /// The place of the number with this path.

@@ -6,7 +6,7 @@
 mod ball_ball;
 mod cushion;
 mod free_motion;
-mod inputs;
+pub mod inputs;
 mod slate_and_cue;
 
 use proptest::test_runner::Config;

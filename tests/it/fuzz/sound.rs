@@ -1,0 +1,76 @@
+//! What must hold in any scene, after every event, by either solver.
+
+use masse::physics::exact::{Engine, Limits};
+use masse::physics::scene::{Scene, Solver, Stepped};
+use masse::report::audit::{Audit, Worst};
+use masse::sim::stepping;
+
+/// Largest rise of energy at an event, as a share of all there was.
+const ENERGY: f64 = 1e-9;
+
+/// Largest change of momentum in an impact of balls alone, as a share of what moved.
+const MOMENTUM: f64 = 1e-10;
+
+/// Deepest overlap that is rounding, m.
+const OVERLAP: f64 = 1e-8;
+
+/// Most events of a scene: two that lean on each other touch a thousand times a second, and a ball on the slate can lean on
+/// three others.
+fn most_events(scene: &Scene) -> u64 {
+    2000 + (3000.0 * scene.balls.len() as f64 * (1.0 + scene.time_limit)) as u64
+}
+
+fn judge(seen: &Worst, most: u64) -> Result<(), String> {
+    let bad = [
+        ("energy rises", seen.energy, ENERGY),
+        ("momentum is lost", seen.momentum, MOMENTUM),
+        ("balls overlap", seen.overlap, OVERLAP),
+        ("a cushion is overlapped", seen.cushion, OVERLAP),
+        ("time goes back", seen.back, 0.0),
+        ("balls leave the table", f64::from(seen.left), 0.0),
+        ("states are not finite", f64::from(seen.not_finite), 0.0),
+        ("too many events", seen.events as f64, most as f64),
+    ];
+    for (what, value, allowed) in bad {
+        if !(value <= allowed) {
+            return Err(format!("{what}: {value:e}, allowed {allowed:e}; {seen:?}"));
+        }
+    }
+    Ok(())
+}
+
+/// Plays a scene by the exact solver under audit, and returns the number of events.
+pub fn exact(scene: &Scene) -> Result<u64, String> {
+    let mut scene = scene.clone();
+    scene.solver = Solver::Exact;
+    let most = most_events(&scene);
+    let stopped = |error: masse::physics::exact::SolveError| format!("exact: {error}");
+    let mut engine = Engine::new(&scene, Limits { events: most }).map_err(stopped)?;
+    let mut audit = Audit::new(&scene);
+    if let Some(planned) = &scene.shot {
+        engine
+            .strike(planned.ball, &scene.cue, &planned.shot, &mut audit)
+            .map_err(stopped)?;
+    }
+    engine
+        .advance(scene.time_limit, &mut audit)
+        .map_err(stopped)?;
+    let seen = audit.worst();
+    judge(&seen, most).map_err(|what| format!("exact: {what}"))?;
+    Ok(seen.events)
+}
+
+/// Plays a scene by the stepped solver and audits the record.
+pub fn stepped(scene: &Scene, tick: f64) -> Result<u64, String> {
+    let mut scene = scene.clone();
+    scene.solver = Solver::Stepped(Stepped {
+        tick,
+        ..Stepped::default()
+    });
+    let most = most_events(&scene);
+    let (record, _) = stepping::try_run_to_rest(&scene)
+        .map_err(|failed| format!("stepped at {} s: {}", failed.time, failed.reason))?;
+    let seen = Audit::of(&scene, &record);
+    judge(&seen, most).map_err(|what| format!("stepped: {what}"))?;
+    Ok(seen.events)
+}
