@@ -54,7 +54,9 @@ fn events(most: u64) -> Result<(), Box<dyn std::error::Error>> {
     let mut engine = Engine::new(&scene, Limits { events: u64::MAX })?;
     let energy = |engine: &Engine| -> f64 {
         let balls = scene.balls.iter().enumerate();
-        balls.map(|(index, ball)| ball.ball.kinetic_energy(&engine.state(index))).sum()
+        balls
+            .map(|(index, ball)| ball.ball.kinetic_energy(&engine.state(index)))
+            .sum()
     };
     let (start, begun) = (energy(&engine), Instant::now());
     let mut before = 0;
@@ -87,25 +89,29 @@ fn crowd(seconds: u32) {
     let mut app = headless_app(&scene);
     let energy = |states: &[masse::physics::ball::State]| -> f64 {
         let balls = scene.balls.iter().zip(states);
-        balls.map(|(ball, state)| ball.ball.kinetic_energy(state)).sum()
+        balls
+            .map(|(ball, state)| ball.ball.kinetic_energy(state))
+            .sum()
     };
     step(&mut app, 120);
     let (start, before, begun) = (energy(&states(&mut app)), memory(), Instant::now());
     for _ in 1..seconds {
         step(&mut app, 120);
     }
+    let drift = energy(&states(&mut app)) / start - 1.0;
     println!(
-        "{seconds} s of a crowd of {MANY} in {:.1} s, {} contacts: energy drifts by {:.1e}, memory {before} KiB to {} KiB",
+        "{seconds} s of a crowd of {MANY} in {:.1} s, {} contacts: energy drifts by {drift:.1e}, memory {before} KiB to {} KiB",
         begun.elapsed().as_secs_f64(),
         app.world().resource::<Census>().contacts_in_all,
-        energy(&states(&mut app)) / start - 1.0,
         memory(),
     );
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut arguments = std::env::args().skip(1);
-    let most = arguments.next().map_or(Ok(1_000_000), |text| text.parse())?;
+    let most = arguments
+        .next()
+        .map_or(Ok(1_000_000), |text| text.parse())?;
     let seconds = arguments.next().map_or(Ok(600), |text| text.parse())?;
     events(most)?;
     crowd(seconds);

@@ -42,7 +42,10 @@ impl Bits {
 
     fn state(&mut self, state: &State) {
         for vector in [state.position, state.velocity, state.angular_velocity] {
-            vector.to_array().into_iter().for_each(|number| self.number(number));
+            vector
+                .to_array()
+                .into_iter()
+                .for_each(|number| self.number(number));
         }
         let motion: Motion = state.motion;
         self.text(&format!("{motion:?}"));
@@ -83,7 +86,10 @@ fn crowd(scene: &Scene, threads: usize) -> u64 {
 fn scenes() -> Vec<(String, Scene)> {
     let mut scenes = Vec::new();
     for built_in in library::BUILT_IN {
-        let mut scene = built_in.scenario().unwrap_or_else(|error| panic!("{error}")).scene;
+        let mut scene = built_in
+            .scenario()
+            .unwrap_or_else(|error| panic!("{error}"))
+            .scene;
         scene.time_limit = scene.time_limit.min(LONGEST);
         let own = scene.solver;
         let stepped = match own {
@@ -106,10 +112,16 @@ fn bits_of(name: &str, scene: &Scene) -> u64 {
         return crowd(scene, 1);
     }
     match scene.solver {
-        Solver::Exact => of_record(&solve(scene, Limits::default()).unwrap_or_else(|error| panic!("{name}: {error}"))),
+        Solver::Exact => of_record(
+            &solve(scene, Limits::default()).unwrap_or_else(|error| panic!("{name}: {error}")),
+        ),
         Solver::Stepped(_) => {
             let played = try_run_to_rest(scene);
-            of_record(&played.unwrap_or_else(|failed| panic!("{name}: {failed:?}")).0)
+            of_record(
+                &played
+                    .unwrap_or_else(|failed| panic!("{name}: {failed:?}"))
+                    .0,
+            )
         }
     }
 }
@@ -126,7 +138,10 @@ const LEGITIMATE: &str = "\
 
 #[test]
 fn every_scene_has_the_bits_on_file() {
-    let found: BTreeMap<String, u64> = scenes().into_iter().map(|(name, scene)| (name.clone(), bits_of(&name, &scene))).collect();
+    let found: BTreeMap<String, u64> = scenes()
+        .into_iter()
+        .map(|(name, scene)| (name.clone(), bits_of(&name, &scene)))
+        .collect();
     if std::env::var_os("MASSE_UPDATE_BITS").is_some() {
         let mut text = String::new();
         for (name, bits) in &found {
@@ -135,14 +150,19 @@ fn every_scene_has_the_bits_on_file() {
         std::fs::write(file(), text).expect("the file can be written");
     }
     let text = std::fs::read_to_string(file()).unwrap_or_default();
-    let on_file: BTreeMap<&str, &str> = text.lines().filter_map(|line| line.rsplit_once(' ')).collect();
+    let on_file: BTreeMap<&str, &str> = text
+        .lines()
+        .filter_map(|line| line.rsplit_once(' '))
+        .collect();
     let mut wrong = Vec::new();
     for (name, bits) in &found {
         let bits = format!("{bits:016x}");
         match on_file.get(name.as_str()) {
             Some(known) if *known == bits => {}
             Some(known) => wrong.push(format!("{name}: {bits}, on file {known}")),
-            None => wrong.push(format!("{name}: {bits}, not on file: a new scene is a reason to update")),
+            None => wrong.push(format!(
+                "{name}: {bits}, not on file: a new scene is a reason to update"
+            )),
         }
     }
     for name in on_file.keys().filter(|name| !found.contains_key(**name)) {
@@ -154,10 +174,16 @@ fn every_scene_has_the_bits_on_file() {
 #[test]
 fn threads_change_no_bit() {
     let scenes = scenes();
-    let alone: Vec<u64> = scenes.iter().map(|(name, scene)| bits_of(name, scene)).collect();
+    let alone: Vec<u64> = scenes
+        .iter()
+        .map(|(name, scene)| bits_of(name, scene))
+        .collect();
     for threads in [1, 2, 8] {
         // A crowd takes so many threads; the others are played on so many at once.
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .build()
+            .expect("threads");
         let together: Vec<u64> = pool.install(|| {
             use rayon::prelude::*;
             scenes
@@ -172,7 +198,10 @@ fn threads_change_no_bit() {
                 .collect()
         });
         for (((name, _), alone), together) in scenes.iter().zip(&alone).zip(together) {
-            assert_eq!(*alone, together, "{name} on {threads} threads\n{LEGITIMATE}");
+            assert_eq!(
+                *alone, together,
+                "{name} on {threads} threads\n{LEGITIMATE}"
+            );
         }
     }
 }
@@ -182,11 +211,15 @@ fn in_frames(scene: &Scene, rate: f64, saved: bool) -> Vec<State> {
     let mut engine = Engine::new(scene, Limits::default()).expect("a sound scene");
     let mut recorder = Recorder::new(&engine);
     if let Some(planned) = &scene.shot {
-        engine.strike(planned.ball, &scene.cue, &planned.shot, &mut recorder).expect("a sound shot");
+        engine
+            .strike(planned.ball, &scene.cue, &planned.shot, &mut recorder)
+            .expect("a sound shot");
     }
     let frames = (rate * scene.time_limit.min(2.0)) as u32;
     for frame in 1..=frames {
-        engine.advance(f64::from(frame) / rate, &mut recorder).expect("a sound scene");
+        engine
+            .advance(f64::from(frame) / rate, &mut recorder)
+            .expect("a sound scene");
         if saved {
             let text = serde_json::to_string(&engine.save()).expect("finite");
             let back: Saved = serde_json::from_str(&text).expect("it was just written");
@@ -200,18 +233,28 @@ fn in_frames(scene: &Scene, rate: f64, saved: bool) -> Vec<State> {
 
 #[test]
 fn frames_and_saving_change_no_bit_of_the_exact_solver() {
-    for (name, scene) in scenes().into_iter().filter(|(_, scene)| scene.solver == Solver::Exact) {
+    for (name, scene) in scenes()
+        .into_iter()
+        .filter(|(_, scene)| scene.solver == Solver::Exact)
+    {
         let expected = in_frames(&scene, 2.0, false);
         for (rate, saved) in [(24.0, false), (60.0, true), (1000.0, false)] {
             let states = in_frames(&scene, rate, saved);
-            assert_eq!(of_states(&expected), of_states(&states), "{name} at {rate} Hz\n{LEGITIMATE}");
+            assert_eq!(
+                of_states(&expected),
+                of_states(&states),
+                "{name} at {rate} Hz\n{LEGITIMATE}"
+            );
         }
     }
 }
 
 #[test]
 fn saving_changes_no_bit_of_the_live_table() {
-    for (name, scene) in scenes().into_iter().filter(|(_, scene)| !scene.solver.is_crowd()) {
+    for (name, scene) in scenes()
+        .into_iter()
+        .filter(|(_, scene)| !scene.solver.is_crowd())
+    {
         let mut straight = headless_app(&scene);
         step(&mut straight, 240);
         let mut app = headless_app(&scene);

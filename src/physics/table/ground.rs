@@ -47,15 +47,32 @@ impl Table {
             // Behind the hole there is wood.
             (point - center).dot(self.outward(center)) <= 0.0
                 && !self.cushions.iter().any(|cushion| match cushion {
-                Cushion::Line(line) => crosses(center, point, line.from, line.to),
-                Cushion::Arc(arc) => {
-                    let way = point - center;
-                    let share = (arc.center - center).dot(way) / way.length_squared();
-                    (center + share.clamp(0.0, 1.0) * way).distance(arc.center) < arc.radius
-                }
-            })
+                    Cushion::Line(line) => {
+                        let (from, to) = self.facing(line.from, line.to);
+                        crosses(center, point, from, to)
+                    }
+                    Cushion::Arc(arc) => {
+                        let way = point - center;
+                        let share = (arc.center - center).dot(way) / way.length_squared();
+                        (center + share.clamp(0.0, 1.0) * way).distance(arc.center) < arc.radius
+                    }
+                })
         });
         if is_shelf { Ground::Slate } else { Ground::Off }
+    }
+
+    /// A stretch of nose, drawn out by [`RAIL`] where it leads away from the playing surface: what is beside the throat of a
+    /// pocket is wood.
+    fn facing(&self, from: DVec2, to: DVec2) -> (DVec2, DVec2) {
+        let further = RAIL * (to - from).normalize_or_zero();
+        let (here, there) = (self.beyond(from), self.beyond(to));
+        if there > here {
+            (from, to + further)
+        } else if here > there {
+            (from - further, to)
+        } else {
+            (from, to)
+        }
     }
 
     /// Unit vector in plan from the playing surface to a point beyond it; zero inside.

@@ -1,5 +1,9 @@
 //! Every scene that ever failed, played again: `tests/data/hard`. The description of each tells what went wrong.
 
+use masse::physics::ball::Ball;
+use masse::physics::laws::Laws;
+use masse::physics::scene::{Scene, SceneError};
+use masse::physics::table::Preset;
 use masse::scenarios::file;
 
 use super::sound;
@@ -32,4 +36,48 @@ fn every_scene_that_ever_failed_is_sound() {
         );
     }
     assert!(failed.is_empty(), "{}", failed.join("\n"));
+}
+
+/// A pool table with one ball here.
+fn lying(x: f64, z: f64, radius: f64) -> Scene {
+    let mut scene = Scene::new(Preset::NineFoot.table(), Laws::default());
+    let ball = Ball {
+        radius,
+        ..Ball::POOL
+    };
+    scene.place("ball", ball, x, z);
+    scene
+}
+
+/// Balls were taken for lying on slate where there is wood, behind the holes and beside the throats of pockets, and rolled
+/// off over nothing.
+#[test]
+fn a_ball_on_wood_is_refused() {
+    let radius = Ball::POOL.radius;
+    for (x, z) in [
+        (-1.414_927, -0.660_131),
+        (-1.400_852, 0.726_188),
+        (1.364_067, -0.667_067),
+        (-1.375_308, 0.567_127),
+        (0.119_557, -0.7043),
+        (1.388_887, -0.667_067),
+    ] {
+        let refused = lying(x, z, radius).check();
+        let off = matches!(refused, Err(SceneError::OffTable { .. }));
+        assert!(off, "{x}, {z}: {refused:?}");
+    }
+    // On the shelves of a side and of a corner pocket there is room.
+    for (x, z) in [(0.0, 0.6), (1.2, 0.565)] {
+        assert_eq!(lying(x, z, radius).check(), Ok(()), "{x}, {z}");
+    }
+}
+
+/// A ball under the noses met them with its very centre, where there is no normal, and was nowhere afterwards.
+#[test]
+fn a_ball_that_passes_under_the_noses_is_refused() {
+    let refused = lying(0.8, 0.0, 0.01).check();
+    assert!(
+        matches!(refused, Err(SceneError::UnderNose { .. })),
+        "{refused:?}"
+    );
 }
