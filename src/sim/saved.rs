@@ -43,13 +43,12 @@ impl SavedTable {
     /// Every ball that is told of is there, and the solver is one for these laws.
     fn check_balls(&self) -> Result<(), SolveError> {
         let count = self.scene.balls.len();
-        let balls = |event: &Event| event.participants().map(|one| one.ball).max();
-        let told = self.events.iter().filter_map(balls).max();
-        let missing = told.filter(|ball| *ball >= count);
         let lists = [self.paths.len(), self.trails.len()];
         let crowd = self.scene.solver.is_crowd();
-        if let Some(ball) = missing.or(lists.into_iter().find(|length| !crowd && *length != count))
-        {
+        let other = lists.into_iter().find(|length| !crowd && *length != count);
+        let balls = |event: &Event| event.participants().map(|one| one.ball).max();
+        let told = self.events.iter().filter_map(balls).max();
+        if let Some(ball) = other.or(told.filter(|ball| *ball >= count)) {
             return Err(SolveError::NoSuchBall { ball, count });
         }
         if self.scene.solver == Solver::Exact && !self.scene.laws.motion.is_closed_form() {

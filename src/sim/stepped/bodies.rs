@@ -3,16 +3,18 @@
 use bevy::prelude::*;
 use glam::DVec2;
 
-use crate::physics::ball::{Ball, State};
+use crate::physics::ball::{Ball, Motion, State};
 use crate::physics::contact::Track;
 use crate::physics::laws::cluster::{Other, TOUCH, Touched};
 use crate::physics::laws::motion::Piece;
+use crate::physics::record::PathPiece;
 use crate::physics::scene::{Solver, Stepped};
 use crate::sim::clock::Clock;
 use crate::sim::components::{
     AngularVelocity, BallIndex, Mass, MotionKind, Position, Radius, Velocity, ball_and_state,
 };
 use crate::sim::playfield::Playfield;
+use crate::sim::recorder::Recorder;
 use crate::sim::stepped::grid::CellRange;
 
 /// One ball during a tick.
@@ -126,6 +128,7 @@ pub(super) fn gather(
     mut bodies: ResMut<Bodies>,
     playfield: Res<Playfield>,
     clock: Res<Clock>,
+    recorder: Res<Recorder>,
     balls: Query<(
         Entity,
         &BallIndex,
@@ -148,12 +151,21 @@ pub(super) fn gather(
     bodies.all.extend(balls.iter().map(
         |(entity, index, position, velocity, spin, mass, radius, motion)| {
             let (ball, state) = ball_and_state(position, velocity, spin, mass, radius, motion);
+            // The roll over an edge is exact only at the ends of its pieces: the one on which the ball is goes on.
+            let last = recorder.paths.get(index.0).and_then(|path| path.last());
+            let tips = |path: &&PathPiece| {
+                state.motion == Motion::Tipping && path.piece.start.motion == Motion::Tipping
+            };
+            let (piece, since) = match last.filter(tips) {
+                Some(path) => (path.piece, path.time - clock.time()),
+                None => (laws.piece(table, &ball, &state), 0.0),
+            };
             Body {
                 entity,
                 index: index.0,
                 ball,
-                piece: laws.piece(table, &ball, &state),
-                since: 0.0,
+                piece,
+                since,
                 version: 0,
                 impacts: 0,
                 cells: CellRange::EMPTY,
