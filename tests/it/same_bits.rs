@@ -64,14 +64,18 @@ fn of_record(record: &Record) -> u64 {
             bits.state(&one.after);
         }
     }
-    record.end.iter().for_each(|state| bits.state(state));
+    for state in &record.end {
+        bits.state(state);
+    }
     bits.number(record.end_time);
     bits.0
 }
 
 fn of_states(states: &[State]) -> u64 {
     let mut bits = Bits::new();
-    states.iter().for_each(|state| bits.state(state));
+    for state in states {
+        bits.state(state);
+    }
     bits.0
 }
 

@@ -233,6 +233,16 @@ impl Scene {
             if !in_play(ball) {
                 continue;
             }
+            // One that begins in the air comes down.
+            let nose_height = self.table.nose_height;
+            let reach = self.table.nose.reach_at(nose_height, radius, radius);
+            if reach.is_none() && !self.table.cushions.is_empty() {
+                return Err(SceneError::UnderNose {
+                    ball: name(),
+                    radius,
+                    nose_height,
+                });
+            }
             let height = position.y - radius;
             let flies = height > OVERLAP_TOLERANCE && self.laws.motion.gravity().is_some();
             if height.abs() > OVERLAP_TOLERANCE && !flies {
@@ -246,14 +256,7 @@ impl Scene {
             for (cushion, nose) in self.table.cushions.iter().enumerate() {
                 let (profile, nose_height) = (&self.table.nose, self.table.nose_height);
                 let Some(reach) = profile.reach_at(nose_height, radius, position.y) else {
-                    if position.y >= nose_height {
-                        continue;
-                    }
-                    return Err(SceneError::UnderNose {
-                        ball: name(),
-                        radius,
-                        nose_height,
-                    });
+                    continue;
                 };
                 let overlap = reach - nose.nearest(plan).0;
                 if overlap > OVERLAP_TOLERANCE {

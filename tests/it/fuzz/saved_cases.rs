@@ -80,4 +80,8 @@ fn a_ball_that_passes_under_the_noses_is_refused() {
         matches!(refused, Err(SceneError::UnderNose { .. })),
         "{refused:?}"
     );
+    // Nor may it come down from the air: it met a nose a million times within an instant.
+    let mut scene = lying(0.0, 0.0, 0.01);
+    scene.balls[0].state.position.y += 0.17;
+    assert!(matches!(scene.check(), Err(SceneError::UnderNose { .. })));
 }

@@ -6,6 +6,7 @@ use proptest::sample::select;
 use masse::physics::ball::Ball;
 use masse::physics::cue::Shot;
 use masse::physics::laws::Laws;
+use masse::physics::laws::motion::MotionLaw;
 use masse::physics::laws::pocket::PocketLaw;
 use masse::physics::scene::{PlannedShot, Rack, Scene};
 use masse::physics::table::Preset;
@@ -19,7 +20,7 @@ use crate::properties::inputs::{ball_ball_law, cushion_law, motion_law, slate_la
 /// Any laws with a closed form.
 fn laws() -> impl Strategy<Value = Laws> {
     let pocket = select(PocketLaw::all());
-    let motion = motion_law().prop_filter("closed form", |law| law.is_closed_form());
+    let motion = motion_law().prop_filter("closed form", MotionLaw::is_closed_form);
     let default = Just(Laws::default());
     prop_oneof![
         1 => default,

@@ -34,7 +34,7 @@ fn judge(seen: &Worst, most: u64) -> Result<(), String> {
         ("too many events", seen.events as f64, most as f64),
     ];
     for (what, value, allowed) in bad {
-        if !(value <= allowed) {
+        if value > allowed || value.is_nan() {
             return Err(format!("{what}: {value:e}, allowed {allowed:e}; {seen:?}"));
         }
     }
