@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use crate::sim::stepped::crowd::body::Body;
-use crate::sim::stepped::crowd::cells::{END, Link};
+use crate::sim::stepped::crowd::cells::{END, Link, roomy};
 use crate::sim::stepped::crowd::cluster::{Caught, Contact, Kind, Leg, NONE};
 use crate::sim::stepped::crowd::search::Solver;
 use crate::sim::stepped::crowd::stripe::place;
@@ -46,7 +46,7 @@ impl<B: Body> Solver<'_, B> {
         partner: u32,
     ) -> bool {
         let extent = self.stretch.extent(&leg.body, leg.from);
-        if !self.is_whole() && self.is_at_edge(me.place) {
+        if (self.begun < self.stretch.cells.rows || !self.is_whole()) && self.is_at_edge(me.place) {
             self.outside = true;
             return false;
         }
@@ -59,11 +59,18 @@ impl<B: Body> Solver<'_, B> {
             self.wander = self.wander.max(f64::from(wander));
             return self.look_far(root, (ball, leg, me), middle, extent, partner);
         }
+        let (x, z) = (middle.x as f32, middle.y as f32);
+        let near = roomy(self.stretch.reach() + extent) + 2.0 * f32::EPSILON * (x.abs() + z.abs());
         let mut link = stripe.sorted(me.place).head(index);
         while link != END {
-            let stripe = &self.stripes[place::stripe(me.place) - self.base];
-            let Link { place, next } = stripe.links[link as usize];
-            if !self.hold_against(root, (ball, leg, me), place, partner) {
+            let Link { place: at, next } =
+                self.stripes[place::stripe(me.place) - self.base].links[link as usize];
+            let stripe = &self.stripes[place::stripe(at) - self.base];
+            let record = &stripe.sorted(at).records[place::index(at)];
+            let (dx, dz) = (record.x - x, record.z - z);
+            let most = near + record.free;
+            let is_far = dx * dx + dz * dz >= most * most;
+            if !is_far && !self.hold_against(root, (ball, leg, me), at, partner) {
                 return false;
             }
             link = next;
@@ -71,7 +78,7 @@ impl<B: Body> Solver<'_, B> {
         true
     }
 
-    /// Whether a ball may be linked to one of another stripe.
+    /// Whether a ball may be linked to one of another stripe, or to one of a row that is not looked at yet.
     fn is_at_edge(&self, at: u32) -> bool {
         let stripe = &self.stripes[place::stripe(at) - self.base];
         let record = stripe.sorted(at).records[place::index(at)];
@@ -79,7 +86,15 @@ impl<B: Body> Solver<'_, B> {
         let far = self.stretch.reach() + 2.0 * f64::from(record.free.max(self.fastest as f32));
         let place = DVec2::new(f64::from(record.x), f64::from(record.z));
         let [low, high] = cells.window(place, far * (1.0 + 1e-5)).rows;
-        low < stripe.rows.start || high >= stripe.rows.end || stripe.wide_fast.contains(&at)
+        let rows = &stripe.rows;
+        (low < rows.start && !self.is_whole())
+            || high
+                >= self.begun.min(if self.is_whole() {
+                    usize::MAX
+                } else {
+                    rows.end
+                })
+            || stripe.wide_fast.contains(&at)
     }
 
     /// Finds the balls that a new leg meets far from where its ball was to be, and links them.

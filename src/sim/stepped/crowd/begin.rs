@@ -1,67 +1,100 @@
 //! Contacts of the paths that balls began a stretch on.
 
+use std::time::Instant;
+
 use crate::sim::stepped::crowd::body::Body;
 use crate::sim::stepped::crowd::cells::Row;
+use crate::sim::stepped::crowd::census::Pass;
 use crate::sim::stepped::crowd::cluster::{Contact, Kind, Leg, NONE};
 use crate::sim::stepped::crowd::search::{MARGIN, Scratch, Solver};
 use crate::sim::stepped::crowd::stripe::place;
 
+/// Cells of about so many balls are worked on at a time.
+const BLOCK: usize = 2048;
+
 impl<B: Body> Solver<'_, B> {
-    /// Finds all pairs of a stripe that meet on the paths they began on.
-    pub fn begin_stripe(&mut self, span: [usize; 2], scratch: &mut Scratch) {
-        let mut close = std::mem::take(&mut scratch.close);
+    /// Works through a stripe, block by block of rows: finds all pairs that meet on the paths they began on, and follows the
+    /// clusters of the block before, while both are in the cache.
+    pub fn work_through(&mut self, span: [usize; 2], scratch: &mut Scratch) {
+        let mut lap = Instant::now();
         let mut likely = std::mem::take(&mut scratch.likely);
         likely.clear();
-        let rows = self.stripes[0].rows.clone();
-        let rests = !self.stripes[0].still.records.is_empty();
-        let columns = self.stretch.cells.columns;
-        let ring = span[1] + 1;
-        scratch
-            .lanes
-            .resize_with(scratch.lanes.len().max(ring + 1), Row::default);
-        let (lanes, still) = scratch.lanes.split_at_mut(ring);
-        let mut filled = rows.start;
-        for row in rows.clone() {
-            close.clear();
-            let stripe = &self.stripes[0];
-            let last = (row + ring).min(rows.end);
-            while filled < last {
-                lanes[filled % ring].fill(stripe.row(&stripe.moving, filled, columns).1);
-                filled += 1;
-            }
-            for other in row..last {
-                let lanes = &lanes[other % ring];
-                stripe.find_close(self.stretch, row, (stripe, other, false), lanes, &mut close);
-            }
-            if rests {
-                for other in row.saturating_sub(span[1]).max(rows.start)..last {
-                    still[0].fill(stripe.row(&stripe.still, other, columns).1);
-                    stripe.find_close(
-                        self.stretch,
-                        row,
-                        (stripe, other, true),
-                        &still[0],
-                        &mut close,
-                    );
-                }
-            }
-            self.sieve(&close, &mut likely, |at| {
-                stripe.sorted(at).records[place::index(at)].ball as usize
-            });
-            self.link(&close);
-        }
-        scratch.close = close;
         for k in 0..self.stripes[0].fast.len() {
             let at = place::of(self.base, self.stripes[0].fast[k] as usize);
             if !self.find_fast(at, &mut likely) {
                 self.stripes[0].wide_fast.push(at);
             }
         }
-        // Whoever is caught is no longer found by cells.
-        for pair in &likely {
-            self.begin(*pair);
+        let rows = self.stripes[0].rows.clone();
+        let columns = self.stretch.cells.columns;
+        let block =
+            (BLOCK * rows.len() / self.stripes[0].moving.records.len().max(1)).clamp(1, rows.len());
+        let (mut marked, mut solved, mut known) = (0, 0, 0);
+        scratch.filled = rows.start;
+        for begin in rows.clone().step_by(block) {
+            let end = (begin + block).min(rows.end);
+            for row in begin..end {
+                self.begin_row(row, span, scratch, &mut likely);
+            }
+            for pair in likely.drain(..) {
+                self.begin(pair);
+            }
+            self.begun = end;
+            self.tally().time(Pass::Balls, &mut lap);
+            let last = self.stripes[0].moving.first[(end - rows.start) * columns];
+            while let Some(&at) = self.stripes[0].marked.get(marked).filter(|at| **at < last) {
+                self.begin_alone(place::of(self.base, at as usize));
+                marked += 1;
+            }
+            self.tally().time(Pass::Cushions, &mut lap);
+            self.solve_all(self.base, solved..known);
+            (solved, known) = (known, self.stripes[0].clusters.len());
+            self.tally().time(Pass::Resolve, &mut lap);
         }
         scratch.likely = likely;
+        self.begun = usize::MAX;
+        self.solve_all(self.base, solved..usize::MAX);
+        self.tally().time(Pass::Resolve, &mut lap);
+    }
+
+    /// Links the balls of a row with those near them, here and in rows after it, and lists the pairs that may meet.
+    fn begin_row(
+        &mut self,
+        row: usize,
+        span: [usize; 2],
+        scratch: &mut Scratch,
+        likely: &mut Vec<[u32; 2]>,
+    ) {
+        let stripe = &self.stripes[0];
+        let (rows, columns) = (&stripe.rows, self.stretch.cells.columns);
+        let ring = span[1] + 1;
+        let Scratch {
+            close,
+            lanes,
+            filled,
+            ..
+        } = scratch;
+        close.clear();
+        lanes.resize_with(lanes.len().max(ring + 1), Row::default);
+        let (lanes, still) = lanes.split_at_mut(ring);
+        let last = (row + ring).min(rows.end);
+        while *filled < last {
+            lanes[*filled % ring].fill(stripe.row(&stripe.moving, *filled, columns).1);
+            *filled += 1;
+        }
+        for other in row..last {
+            let lanes = &lanes[other % ring];
+            stripe.find_close(self.stretch, row, (stripe, other, false), lanes, close);
+        }
+        if !stripe.still.records.is_empty() {
+            for other in row.saturating_sub(span[1]).max(rows.start)..last {
+                still[0].fill(stripe.row(&stripe.still, other, columns).1);
+                let other = (stripe, other, true);
+                stripe.find_close(self.stretch, row, other, &still[0], close);
+            }
+        }
+        self.sieve(close, likely);
+        self.link(close);
     }
 
     /// Finds the pairs that meet across the edges of stripes.
@@ -91,7 +124,7 @@ impl<B: Body> Solver<'_, B> {
         }
         let mut likely = std::mem::take(&mut scratch.likely);
         likely.clear();
-        self.sieve(&close, &mut likely, |at| self.slot(at));
+        self.sieve(&close, &mut likely);
         self.link(&close);
         scratch.close = close;
         for stripe in 0..self.stripes.len() {
@@ -121,7 +154,7 @@ impl<B: Body> Solver<'_, B> {
                 self.stretch.is_fast(body)
             };
             if other != at && (!fast || at < other) {
-                self.sieve(&[[at, other]], likely, |at| self.slot(at));
+                self.sieve(&[[at, other]], likely);
                 self.link(&[[at, other]]);
             }
         }
@@ -129,16 +162,8 @@ impl<B: Body> Solver<'_, B> {
         inside
     }
 
-    /// Finds what the balls of a stripe that may do more than move on meet besides balls.
-    pub fn begin_marked(&mut self, stripe: usize) {
-        for k in 0..self.stripes[stripe].marked.len() {
-            let marked = self.stripes[stripe].marked[k] as usize;
-            self.begin_alone(place::of(self.base + stripe, marked));
-        }
-    }
-
     /// Of pairs that are near each other lists those that may meet on the paths they began the stretch on.
-    fn sieve(&self, close: &[[u32; 2]], likely: &mut Vec<[u32; 2]>, slot: impl Fn(u32) -> usize) {
+    fn sieve(&self, close: &[[u32; 2]], likely: &mut Vec<[u32; 2]>) {
         let (start, length) = (self.stretch.start, self.stretch.end - self.stretch.start);
         let reach = self.stretch.reach();
         let margin = if B::BENDS {
@@ -149,7 +174,7 @@ impl<B: Body> Solver<'_, B> {
         let wide = (reach + margin) * (1.0 + MARGIN);
         let wide = wide * wide;
         for &[one, other] in close {
-            let (a, b) = (&self.bodies[slot(one)], &self.bodies[slot(other)]);
+            let (a, b) = (&self.bodies[self.slot(one)], &self.bodies[self.slot(other)]);
             let offset = b.position(start) - a.position(start);
             let velocity = b.velocity(start) - a.velocity(start);
             let gap = offset.length_squared() - wide;

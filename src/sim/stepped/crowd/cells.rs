@@ -54,6 +54,8 @@ pub(super) struct Sorted {
     /// Index of the first record of each cell, and the number of all.
     pub first: Vec<u32>,
     pub records: Vec<Record>,
+    /// The slot of each ball.
+    pub slots: Vec<u32>,
     /// For each ball its last link to a ball near it.
     heads: Vec<u32>,
 }

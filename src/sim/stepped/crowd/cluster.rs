@@ -7,6 +7,7 @@
 //! solution: it does not depend on the order in which clusters are worked on, and so not on stripes or threads.
 
 use std::cmp::Ordering;
+use std::ops::Range;
 
 use crate::sim::stepped::crowd::body::Body;
 use crate::sim::stepped::crowd::cells::{CAUGHT, Record, roomy};
@@ -253,11 +254,11 @@ impl<B: Body> Solver<'_, B> {
                 root = root.min(other);
             }
         }
-        if self.is_whole() && self.all > 1 {
+        let solved = std::mem::replace(&mut self.cluster(root).solved, false);
+        if solved || (self.is_whole() && self.all > 1) {
             self.stripes[0].wide.push(root);
         }
         let cluster = self.cluster(root);
-        cluster.solved = false;
         let tail = std::mem::replace(&mut cluster.seeds[1], id);
         if tail == NONE {
             cluster.seeds[0] = id;
@@ -266,11 +267,15 @@ impl<B: Body> Solver<'_, B> {
         }
     }
 
-    /// Follows every cluster of a stripe that is not solved.
-    pub fn solve_all(&mut self, stripe: usize) {
-        let mut index = 0;
+    /// Follows the clusters of a stripe in this range that are not solved.
+    pub fn solve_all(&mut self, stripe: usize, range: Range<usize>) {
+        let mut index = range.start;
         // Balls that are met on the way are caught in clusters of their own, but taken up at once.
-        while index < self.stripes[stripe - self.base].clusters.len() {
+        while index
+            < range
+                .end
+                .min(self.stripes[stripe - self.base].clusters.len())
+        {
             let id = place::of(stripe, index);
             let cluster = self.cluster(id);
             if cluster.parent == id && !cluster.solved && cluster.seeds[0] != NONE {

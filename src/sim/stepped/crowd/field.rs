@@ -129,7 +129,9 @@ impl<B: Body> Field<B> {
         });
         woken(&mut sums[0]);
         let mut all = Sums::default();
-        sums.iter().for_each(|sum| all.add(sum));
+        for sum in &sums {
+            all.add(sum);
+        }
         all
     }
 
@@ -169,7 +171,7 @@ impl<B: Body> Field<B> {
                 self.now + length
             },
         );
-        let spare = self.spare(cut);
+        let spare = Self::spare(cut);
         let most = (cut + spare).max(self.still_spare) * (1.0 + 1e-6);
         let stretch = Stretch {
             start,
@@ -209,13 +211,13 @@ impl<B: Body> Field<B> {
     }
 
     /// How much further a ball may get by a contact before more than its links must be looked at, m.
-    pub fn spare(&self, cut: f64) -> f64 {
+    pub fn spare(cut: f64) -> f64 {
         SPARE * cut
     }
 
     /// How far the centres of two balls can be from each other in the middle of their paths, and meet.
     pub fn reach(&self, stretch: &Stretch, cut: f64) -> f64 {
-        let most = (cut + self.spare(cut)).max(self.still_spare);
+        let most = (cut + Self::spare(cut)).max(self.still_spare);
         (stretch.reach() + 2.0 * most) * (1.0 + 1e-5)
     }
 
@@ -223,7 +225,7 @@ impl<B: Body> Field<B> {
     fn lay_records(&mut self, stretch: &Stretch, threads: usize) {
         let bodies = &self.bodies;
         share(threads, self.stripes.iter_mut(), |stripe| {
-            stripe.stage(stretch, bodies)
+            stripe.stage(stretch, bodies);
         });
         let columns = stretch.cells.columns;
         let mut leaving = Vec::new();
@@ -268,12 +270,7 @@ impl<B: Body> Field<B> {
             let index = stripe.index;
             let stripes = std::slice::from_mut(stripe);
             let mut solver = Solver::new(stretch, (stripes, index, all), truth, fastest, scratch);
-            solver.begin_stripe(span, scratch);
-            solver.tally().time(Pass::Balls, &mut lap);
-            solver.begin_marked(0);
-            solver.tally().time(Pass::Cushions, &mut lap);
-            solver.solve_all(index);
-            solver.tally().time(Pass::Resolve, &mut lap);
+            solver.work_through(span, scratch);
             solver.finish(scratch);
         });
         let mut lap = Instant::now();

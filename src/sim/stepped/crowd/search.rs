@@ -28,6 +28,8 @@ pub(super) struct Scratch {
     pub close: Vec<[u32; 2]>,
     pub likely: Vec<[u32; 2]>,
     pub lanes: Vec<Row>,
+    /// The rows before this one are in `lanes`.
+    pub filled: usize,
 }
 
 /// Follows the clusters of some stripes, one next to the other.
@@ -46,6 +48,8 @@ pub(super) struct Solver<'a, B> {
     pub queue: BinaryHeap<Contact>,
     /// Places near one that is looked at.
     pub near: Vec<u32>,
+    /// The pairs of all rows before this one are linked.
+    pub begun: usize,
     /// Whether a cluster reaches beyond these stripes.
     pub outside: bool,
     /// Contacts with balls, with cushions, and balls that no longer bounce, of the cluster that is followed.
@@ -72,6 +76,7 @@ impl<'a, B: Body> Solver<'a, B> {
             wander,
             queue: std::mem::take(&mut scratch.queue),
             near: std::mem::take(&mut scratch.near),
+            begun: usize::MAX,
             outside: false,
             count: [0; 3],
             stripes,
@@ -96,10 +101,8 @@ impl<'a, B: Body> Solver<'a, B> {
     /// Slot of the ball at a place.
     #[inline]
     pub fn slot(&self, at: u32) -> usize {
-        match self.held(at) {
-            (slot, false) => slot as usize,
-            (id, true) => self.caught(id).slot as usize,
-        }
+        let stripe = &self.stripes[place::stripe(at) - self.base];
+        stripe.sorted(at).slots[place::index(at)] as usize
     }
 
     /// Slot of the ball at a place, or, with true, its place among the caught.

@@ -38,17 +38,19 @@ impl<B: Body> Solver<'_, B> {
                     (other, one)
                 };
                 let impacts = impacts.max(it.impacts);
-                let before = [first, second].map(|id| self.last(id).body.state(ball, time));
+                let before = [
+                    self.last(first).body.state(ball, time),
+                    self.last(second).body.state(ball, time),
+                ];
                 let mut meeting = PairContact::between(&before[0], &before[1]);
                 meeting.restitution = settled(impacts);
                 let pair = [(ball, &before[0]), (ball, &before[1])];
                 let outcome = laws.ball_ball.collide(pair[0], pair[1], &meeting);
                 self.count[0] += 1;
-                let after = [outcome.first, outcome.second];
-                for (id, after) in [first, second].into_iter().zip(after) {
-                    let after = laws.motion.classify(ball, after);
-                    self.turn(id, &after, time, 1);
-                }
+                let after = laws.motion.classify(ball, outcome.first);
+                self.turn(first, &after, time, 1);
+                let after = laws.motion.classify(ball, outcome.second);
+                self.turn(second, &after, time, 1);
             }
         }
     }

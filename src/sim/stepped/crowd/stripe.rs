@@ -248,7 +248,9 @@ impl<B: Body> Stripe<B> {
         self.links.clear();
         self.marked.clear();
         self.fast.clear();
-        for (at, record) in (0..).zip(&mut self.moving.records) {
+        let Sorted { records, slots, .. } = &mut self.moving;
+        slots.resize(records.len(), 0);
+        for (at, (record, slot)) in (0..).zip(records.iter_mut().zip(slots)) {
             if record.ball & MARKED != 0 {
                 record.ball &= !MARKED;
                 self.marked.push(at);
@@ -256,6 +258,7 @@ impl<B: Body> Stripe<B> {
             if record.free.is_nan() {
                 self.fast.push(at);
             }
+            *slot = record.ball;
         }
         self.wander = 0.0;
         self.caught.clear();
@@ -298,7 +301,7 @@ impl<B: Body> Stripe<B> {
         let most = roomy(stretch.most);
         if row == other_row && !still {
             lanes.pairs(mine, reach, most, |i, k| {
-                close.push([one + i as u32, one + k as u32])
+                close.push([one + i as u32, one + k as u32]);
             });
             return;
         }
@@ -306,7 +309,7 @@ impl<B: Body> Stripe<B> {
         let mark = if still { place::STILL } else { 0 };
         let two = place::of(other.index, other.row(sorted, other_row, columns).0) | mark;
         lanes.pairs_with(mine, reach, most, |i, k| {
-            close.push([one + i as u32, two + k as u32])
+            close.push([one + i as u32, two + k as u32]);
         });
     }
 
@@ -381,6 +384,9 @@ impl<B: Body> Stripe<B> {
         }
         if !balls.is_empty() {
             self.still.sort_rows(cells.columns);
+            let slots = self.still.records.iter().map(|record| record.ball);
+            self.still.slots.clear();
+            self.still.slots.extend(slots);
         }
     }
 }
