@@ -3,6 +3,7 @@
 mod conservation;
 mod refusals;
 mod same_bits;
+mod scenes;
 mod with_cloth;
 
 use glam::DVec3;

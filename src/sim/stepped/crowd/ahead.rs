@@ -3,8 +3,8 @@
 use glam::DVec2;
 
 use crate::sim::stepped::crowd::body::Body;
+use crate::sim::stepped::crowd::caught::{Caught, Contact, Kind, Leg, NONE};
 use crate::sim::stepped::crowd::cells::{END, Link, roomy};
-use crate::sim::stepped::crowd::cluster::{Caught, Contact, Kind, Leg, NONE};
 use crate::sim::stepped::crowd::search::Solver;
 use crate::sim::stepped::crowd::stripe::place;
 use crate::sim::stepped::resolve::{BOUNCES, IMPACTS};

@@ -3,9 +3,9 @@
 use std::time::Instant;
 
 use crate::sim::stepped::crowd::body::Body;
+use crate::sim::stepped::crowd::caught::{Contact, Kind, Leg, NONE};
 use crate::sim::stepped::crowd::cells::Row;
 use crate::sim::stepped::crowd::census::Pass;
-use crate::sim::stepped::crowd::cluster::{Contact, Kind, Leg, NONE};
 use crate::sim::stepped::crowd::search::{MARGIN, Scratch, Solver};
 use crate::sim::stepped::crowd::stripe::place;
 

@@ -11,6 +11,7 @@
 mod ahead;
 mod begin;
 mod body;
+mod caught;
 mod cells;
 mod census;
 mod cluster;

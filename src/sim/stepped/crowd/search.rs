@@ -8,9 +8,9 @@ use crate::physics::contact;
 use crate::physics::roots::RootError;
 use crate::physics::table::Cushion;
 use crate::sim::stepped::crowd::body::{Body, track};
+use crate::sim::stepped::crowd::caught::{Contact, Kind, Leg, NONE};
 use crate::sim::stepped::crowd::cells::{CAUGHT, Row, roomy};
 use crate::sim::stepped::crowd::census::Tally;
-use crate::sim::stepped::crowd::cluster::{Contact, Kind, Leg, NONE};
 use crate::sim::stepped::crowd::stripe::{Stretch, Stripe, place};
 use crate::sim::stepped::resolve::{BOUNCES, IMPACTS};
 

@@ -3,7 +3,7 @@
 use crate::physics::ball::State;
 use crate::physics::laws::ball_ball::PairContact;
 use crate::sim::stepped::crowd::body::Body;
-use crate::sim::stepped::crowd::cluster::{Contact, Kind, Leg};
+use crate::sim::stepped::crowd::caught::{Contact, Kind, Leg};
 use crate::sim::stepped::crowd::search::Solver;
 use crate::sim::stepped::crowd::stripe::place;
 use crate::sim::stepped::resolve::BOUNCES;

@@ -9,9 +9,9 @@ use crate::physics::laws::Laws;
 use crate::physics::roots::RootError;
 use crate::physics::table::Table;
 use crate::sim::stepped::crowd::body::Body;
+use crate::sim::stepped::crowd::caught::{Caught, Cluster, Leg, Seed};
 use crate::sim::stepped::crowd::cells::{Cells, Link, MARKED, Record, Row, Sorted, roomy};
 use crate::sim::stepped::crowd::census::Tally;
-use crate::sim::stepped::crowd::cluster::{Caught, Cluster, Leg, Seed};
 use crate::sim::stepped::crowd::walls::Walls;
 
 /// What holds for all balls during one stretch of time: the tick, or a part of it. Times are on the clock of the crowd.
