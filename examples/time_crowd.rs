@@ -80,7 +80,7 @@ fn main() {
         let mut crowd = app.world_mut().resource_mut::<Crowd>();
         crowd.threads = get(5, "").parse().ok();
         if let Ok(in_tile) = get(7, "").parse() {
-            crowd.in_tile = in_tile;
+            crowd.stripes = Some(in_tile);
         }
         if get(6, "mirror") == "bare" {
             crowd.mirror = Mirror::WhenAsked;

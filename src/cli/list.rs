@@ -1,13 +1,13 @@
 //! `masse list`.
 
 use crate::cli::{CommandError, to_stdout};
-use crate::scenarios::library::BUILT_IN;
+use crate::scenarios::library;
 use crate::scenarios::preset;
 
 /// Names what is built in, one thing a line: the name, what it is, the title.
 pub(super) fn list() -> Result<(), CommandError> {
     let mut rows = Vec::new();
-    for scene in BUILT_IN {
+    for scene in library::all() {
         rows.push((scene.name, "scene", scene.title()?));
     }
     for (kind, assets) in [("preset", preset::BUILT_IN), ("cloth", preset::CLOTHS)] {

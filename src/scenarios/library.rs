@@ -20,9 +20,12 @@ pub struct BuiltIn {
 /// A line of the library: the name of a file in `assets/scenes`.
 macro_rules! scene {
     ($name:literal) => {
+        scene!("", $name)
+    };
+    ($folder:literal, $name:literal) => {
         BuiltIn {
             name: $name,
-            text: include_str!(concat!("../../assets/scenes/", $name, ".ron")),
+            text: include_str!(concat!("../../assets/scenes/", $folder, $name, ".ron")),
         }
     };
 }
@@ -84,6 +87,18 @@ pub const BUILT_IN: &[BuiltIn] = &[
     scene!("gas"),
 ];
 
+/// Built-in scenes with thousands of balls, played as crowds: they take a while to lay out, and have no record.
+pub const CROWDS: &[BuiltIn] = &[
+    scene!("crowds/", "crowd-5750"),
+    scene!("crowds/", "rack-5050"),
+    scene!("crowds/", "million"),
+];
+
+/// Every built-in scene, crowds last.
+pub fn all() -> impl Iterator<Item = &'static BuiltIn> {
+    BUILT_IN.iter().chain(CROWDS)
+}
+
 impl BuiltIn {
     /// The scene.
     ///
@@ -129,7 +144,7 @@ pub fn open(name: &str) -> Result<Scenario, OpenError> {
     if share::is_shared(name) {
         return Ok(share::read(name)?);
     }
-    if let Some(built_in) = BUILT_IN.iter().find(|scene| scene.name == name) {
+    if let Some(built_in) = all().find(|scene| scene.name == name) {
         return Ok(built_in.scenario()?);
     }
     let path = Path::new(name);
@@ -137,7 +152,7 @@ pub fn open(name: &str) -> Result<Scenario, OpenError> {
     if looks_like_a_file || path.exists() {
         return Ok(file::read(path)?);
     }
-    let names: Vec<&str> = BUILT_IN.iter().map(|scene| scene.name).collect();
+    let names: Vec<&str> = all().map(|scene| scene.name).collect();
     Err(OpenError::Unknown {
         name: name.to_owned(),
         known: names.join(", "),

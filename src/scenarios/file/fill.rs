@@ -1,4 +1,4 @@
-//! Balls at random places.
+//! Many balls at once: at random places, on a lattice, in a triangle.
 
 use std::collections::HashSet;
 
@@ -12,11 +12,13 @@ use crate::physics::scene::{Scene, SceneBall, within};
 use crate::scenarios::file::error::{FieldError, LayoutError};
 use crate::scenarios::file::memory;
 
-/// So many balls at random places where they overlap nothing. The same seed gives the same balls on every platform.
+/// So many balls where they overlap nothing. The same seed gives the same balls on every platform.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Fill {
     count: u32,
+    #[serde(default)]
+    order: Order,
     #[serde(default = "Fill::default_seed")]
     seed: u64,
     /// Speed of every ball in m/s, each in a direction of its own.
@@ -34,6 +36,18 @@ pub(super) struct Fill {
     /// Least and greatest radius, m; absent is the radius of the file's `ball`.
     #[serde(default)]
     radii: Option<(f64, f64)>,
+}
+
+/// How the balls of a fill lie.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+enum Order {
+    /// Anywhere.
+    #[default]
+    Random,
+    /// One in each cell of a square lattice over the whole table, anywhere in its cell, row by row.
+    Lattice,
+    /// In rows that grow towards +x, the first ball on the foot spot, `gap` apart.
+    Triangle,
 }
 
 /// Throws at random places before a table counts as full.
@@ -71,9 +85,14 @@ impl Fill {
                 radius: within_range(&mut rng, self.radii, default.radius),
                 spins: default.spins,
             };
-            let place = (0..THROWS).find_map(|_| {
-                let half = 0.5 * DVec2::new(scene.table.length, scene.table.width) - ball.radius;
-                let point = DVec2::new(signed(&mut rng) * half.x, signed(&mut rng) * half.y);
+            let throws = if self.order == Order::Triangle {
+                1
+            } else {
+                THROWS
+            };
+            let place = (0..throws).find_map(|_| {
+                let jitter = DVec2::new(signed(&mut rng), signed(&mut rng));
+                let point = self.point(scene, ball.radius, placed, jitter);
                 room.is_free(scene, point, ball.radius, self.gap)
                     .then_some(point)
             });
@@ -94,6 +113,30 @@ impl Fill {
             room.take(place, scene.balls.len() - 1);
         }
         Ok(())
+    }
+
+    /// Where the ball of this index is tried; `jitter` from -1 to 1.
+    fn point(&self, scene: &Scene, radius: f64, index: u32, jitter: DVec2) -> DVec2 {
+        let size = DVec2::new(scene.table.length, scene.table.width);
+        let index = f64::from(index);
+        match self.order {
+            Order::Random => jitter * (0.5 * size - radius),
+            Order::Lattice => {
+                let columns = (f64::from(self.count) * size.x / size.y).sqrt().ceil();
+                let rows = (f64::from(self.count) / columns).ceil();
+                let cell = size / DVec2::new(columns, rows);
+                let place = DVec2::new(index % columns, (index / columns).floor()) + 0.5;
+                let free = (0.5 * cell - radius).max(DVec2::ZERO);
+                place * cell - 0.5 * size + jitter * free
+            }
+            Order::Triangle => {
+                let row = ((8.0 * index + 1.0).sqrt() * 0.5 - 0.5).floor();
+                let column = index - 0.5 * row * (row + 1.0);
+                let pitch = 2.0 * radius + 1.01 * self.gap;
+                let place = DVec2::new(0.75_f64.sqrt() * row, column - 0.5 * row);
+                scene.table.foot_spot() + pitch * place
+            }
+        }
     }
 
     /// Refuses what cannot lie on the table in any order, before anything is allocated for it.
@@ -249,6 +292,7 @@ mod tests {
     fn more_balls_than_memory_are_refused_with_numbers() {
         let fill = Fill {
             count: 5_000_000,
+            order: Order::Random,
             seed: 1,
             speed: 0.0,
             spin: 0.0,

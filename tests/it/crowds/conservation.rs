@@ -29,7 +29,7 @@ fn an_elastic_gas_keeps_its_energy_for_ten_thousand_ticks() {
         &scene.balls.iter().map(|b| b.state).collect::<Vec<_>>(),
         &SMOOTH,
     );
-    let (states, census) = play(&scene, 10_000, 2, 4000);
+    let (states, census) = play(&scene, 10_000, 2, 2);
     let after = energy(&states, &SMOOTH);
     assert!(
         (after / before - 1.0).abs() < 1e-9,
@@ -51,7 +51,7 @@ fn contacts_keep_momentum() {
     .table();
     let sum = |states: &[State]| states.iter().map(|s| s.velocity).sum::<glam::DVec3>();
     let before = sum(&scene.balls.iter().map(|b| b.state).collect::<Vec<_>>());
-    let (states, census) = play(&scene, 240, 2, 100);
+    let (states, census) = play(&scene, 240, 2, 5);
     assert!(
         census.cushions == 0 && census.contacts_in_all > 1000,
         "{census:?}"
@@ -68,7 +68,7 @@ fn no_ball_leaves_a_closed_box_at_a_hundred_metres_a_second() {
     let mut scene = gas(400, 0.3, 100.0, Laws::ideal(), SMOOTH);
     as_crowd(&mut scene, 1.0 / 60.0, None);
     let half = 0.5 * scene.table.length - SMOOTH.radius + 1e-9;
-    let (states, census) = play(&scene, 60, 2, 4000);
+    let (states, census) = play(&scene, 60, 2, 2);
     assert!(census.parts > 10, "{census:?}");
     for (i, state) in states.iter().enumerate() {
         let place = state.position;
@@ -115,7 +115,7 @@ fn a_crowd_denser_than_it_can_bounce_loses_energy_and_stays_apart() {
         &scene.balls.iter().map(|b| b.state).collect::<Vec<_>>(),
         &SMOOTH,
     );
-    let (states, census) = play(&scene, 120, 2, 300);
+    let (states, census) = play(&scene, 120, 2, 3);
     let after = energy(&states, &SMOOTH);
     assert!(after < 0.1 * before, "{before} J became {after} J");
     assert!(
@@ -125,10 +125,10 @@ fn a_crowd_denser_than_it_can_bounce_loses_energy_and_stays_apart() {
 }
 
 #[test]
-fn tiles_at_rest_are_not_worked_on() {
+fn balls_at_rest_are_not_worked_on() {
     let mut scene = gas(5000, 0.4, 0.0, Laws::default(), Ball::POOL);
     scene.balls[0].state.velocity.x = 0.5;
-    let (_, census) = play(&scene, 5, 2, 100);
-    assert!(census.awake > 0 && census.awake < 2500, "{census:?}");
+    let (_, census) = play(&scene, 40, 2, 3);
+    assert!(census.awake > 0 && census.awake < 100, "{census:?}");
     assert!(census.balls == 5000);
 }

@@ -3,6 +3,7 @@
 mod conservation;
 mod refusals;
 mod same_bits;
+mod scenes;
 mod with_cloth;
 
 use glam::DVec3;
@@ -50,12 +51,12 @@ fn as_crowd(scene: &mut Scene, tick: f64, grid: Option<(u32, u32)>) {
     });
 }
 
-/// Plays so many ticks on so many threads in tiles for so many balls.
-fn play(scene: &Scene, ticks: u32, threads: usize, in_tile: usize) -> (Vec<State>, Census) {
+/// Plays so many ticks on so many threads in so many stripes.
+fn play(scene: &Scene, ticks: u32, threads: usize, stripes: usize) -> (Vec<State>, Census) {
     let mut app = stepping::headless_app(scene);
     let mut crowd = app.world_mut().resource_mut::<Crowd>();
     crowd.threads = Some(threads);
-    crowd.in_tile = in_tile;
+    crowd.stripes = Some(stripes);
     stepping::step(&mut app, ticks);
     let census = app.world().resource::<Census>().clone();
     (stepping::states(&mut app), census)

@@ -1,57 +1,62 @@
 //! One ball of a crowd, packed: only what its law of motion needs.
+//!
+//! A body is a closed-form piece of path on the clock of the crowd. A ball that meets nothing is not written at all from
+//! tick to tick.
 
 use glam::{DVec2, DVec3};
 
 use crate::physics::ball::{Ball, Motion, State};
+use crate::physics::contact::Track;
 use crate::physics::laws::motion::{MotionLaw, Piece};
 
-/// A ball on a closed-form piece of path. All balls of a crowd are equal, so their constants are kept once.
-pub(super) trait Body: Copy + PartialEq + Send + Sync + 'static {
+/// A ball on a closed-form piece of path. All balls of a crowd are equal, so their constants are kept once. Times are
+/// seconds on the clock of the crowd.
+pub(super) trait Body: Copy + Send + Sync + 'static {
     /// Whether paths can bend and the kind of motion can change.
     const BENDS: bool;
 
-    /// A ball that starts in this state.
-    fn start(law: &MotionLaw, ball: &Ball, state: &State) -> Self;
+    /// A ball that is in this state at time `at`.
+    fn start(law: &MotionLaw, ball: &Ball, state: &State, at: f64) -> Self;
 
-    /// The centre in plan after `age` seconds, m.
-    fn position(&self, age: f64) -> DVec2;
+    /// The centre in plan, m.
+    fn position(&self, at: f64) -> DVec2;
 
-    /// Velocity in plan after `age` seconds, m/s.
-    fn velocity(&self, age: f64) -> DVec2;
+    /// Velocity in plan, m/s.
+    fn velocity(&self, at: f64) -> DVec2;
 
     /// Acceleration in plan, m/s².
     fn acceleration(&self) -> DVec2;
 
-    /// Seconds until the kind of motion changes.
-    fn left(&self) -> f64;
+    /// When the kind of motion changes.
+    fn change(&self) -> f64;
 
-    /// The whole state after `age` seconds.
-    fn state(&self, ball: &Ball, age: f64) -> State;
+    /// The whole state.
+    fn state(&self, ball: &Ball, at: f64) -> State;
 
     /// The state in which the piece ends.
     fn end(&self, ball: &Ball) -> State;
 
-    /// The same ball on the same piece, `age` seconds further.
-    fn moved(&self, ball: &Ball, age: f64) -> Self;
+    /// The same ball on the same piece, on a clock that began at `at`.
+    fn rebased(&self, ball: &Ball, at: f64) -> Self;
 
     /// Whether the centre moves.
     fn translates(&self) -> bool;
 
     /// Whether nothing at all moves.
     fn is_still(&self) -> bool;
-
-    /// Kinetic energy of translation and rotation, J.
-    fn energy(&self, ball: &Ball) -> f64;
 }
 
-/// A ball without spin on a table without cloth: 32 bytes.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Gliding {
-    position: DVec2,
-    velocity: DVec2,
+/// The path of a ball seen from now. The heights of equal balls are equal.
+#[inline]
+pub(super) fn track<B: Body>(body: &B, at: f64) -> Track {
+    Track {
+        position: space(body.position(at), 0.0),
+        velocity: space(body.velocity(at), 0.0),
+        acceleration: space(body.acceleration(), 0.0),
+    }
 }
 
-fn plan(vector: DVec3) -> DVec2 {
+pub(super) fn plan(vector: DVec3) -> DVec2 {
     DVec2::new(vector.x, vector.z)
 }
 
@@ -59,20 +64,29 @@ fn space(vector: DVec2, height: f64) -> DVec3 {
     DVec3::new(vector.x, height, vector.y)
 }
 
+/// A ball without spin on a table without cloth: 32 bytes.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Gliding {
+    /// Where it would have been when the clock began.
+    origin: DVec2,
+    velocity: DVec2,
+}
+
 impl Body for Gliding {
     const BENDS: bool = false;
 
     #[inline]
-    fn start(_: &MotionLaw, _: &Ball, state: &State) -> Self {
+    fn start(_: &MotionLaw, _: &Ball, state: &State, at: f64) -> Self {
+        let velocity = plan(state.velocity);
         Self {
-            position: plan(state.position),
-            velocity: plan(state.velocity),
+            origin: plan(state.position) - at * velocity,
+            velocity,
         }
     }
 
     #[inline]
-    fn position(&self, age: f64) -> DVec2 {
-        self.position + age * self.velocity
+    fn position(&self, at: f64) -> DVec2 {
+        self.origin + at * self.velocity
     }
 
     #[inline]
@@ -86,14 +100,14 @@ impl Body for Gliding {
     }
 
     #[inline]
-    fn left(&self) -> f64 {
+    fn change(&self) -> f64 {
         f64::INFINITY
     }
 
     #[inline]
-    fn state(&self, ball: &Ball, age: f64) -> State {
+    fn state(&self, ball: &Ball, at: f64) -> State {
         State {
-            position: space(self.position(age), ball.radius),
+            position: space(self.position(at), ball.radius),
             velocity: space(self.velocity, 0.0),
             angular_velocity: DVec3::ZERO,
             motion: if self.translates() {
@@ -110,9 +124,9 @@ impl Body for Gliding {
     }
 
     #[inline]
-    fn moved(&self, _: &Ball, age: f64) -> Self {
+    fn rebased(&self, _: &Ball, at: f64) -> Self {
         Self {
-            position: self.position(age),
+            origin: self.position(at),
             velocity: self.velocity,
         }
     }
@@ -126,31 +140,29 @@ impl Body for Gliding {
     fn is_still(&self) -> bool {
         !self.translates()
     }
-
-    #[inline]
-    fn energy(&self, ball: &Ball) -> f64 {
-        0.5 * ball.mass * self.velocity.length_squared()
-    }
 }
 
 /// A ball that spins or rubs on cloth. The piece of path is kept from tick to tick: roots and divisions are paid once
 /// a piece, not once a tick.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Rubbed {
     position: DVec2,
     velocity: DVec2,
     acceleration: DVec2,
+    /// When the piece began.
+    since: f64,
+    change: f64,
     spin: DVec3,
-    /// Rate of change of the horizontal spin.
-    twist: DVec2,
     spin_deceleration: f64,
-    left: f64,
+    /// Rate of change of the horizontal spin: so many times the acceleration turned by a right angle.
+    twist: f64,
     motion: Motion,
     next: Motion,
 }
 
 impl Rubbed {
     fn piece(&self, ball: &Ball) -> Piece {
+        let acceleration = space(self.acceleration, 0.0);
         Piece {
             start: State {
                 position: space(self.position, ball.radius),
@@ -158,10 +170,10 @@ impl Rubbed {
                 angular_velocity: self.spin,
                 motion: self.motion,
             },
-            acceleration: space(self.acceleration, 0.0),
-            angular_acceleration: space(self.twist, 0.0),
+            acceleration,
+            angular_acceleration: self.twist * DVec3::Y.cross(acceleration),
             spin_deceleration: self.spin_deceleration,
-            duration: self.left,
+            duration: self.change - self.since,
             next: self.next,
         }
     }
@@ -171,29 +183,37 @@ impl Body for Rubbed {
     const BENDS: bool = true;
 
     #[inline]
-    fn start(law: &MotionLaw, ball: &Ball, state: &State) -> Self {
+    fn start(law: &MotionLaw, ball: &Ball, state: &State, at: f64) -> Self {
         let piece = law.piece(ball, state);
+        let turned = DVec3::Y.cross(piece.acceleration);
+        let square = turned.length_squared();
         Self {
             position: plan(state.position),
             velocity: plan(state.velocity),
             acceleration: plan(piece.acceleration),
+            since: at,
+            change: at + piece.duration,
             spin: state.angular_velocity,
-            twist: plan(piece.angular_acceleration),
             spin_deceleration: piece.spin_deceleration,
-            left: piece.duration,
+            twist: if square > 0.0 {
+                piece.angular_acceleration.dot(turned) / square
+            } else {
+                0.0
+            },
             motion: state.motion,
             next: piece.next,
         }
     }
 
     #[inline]
-    fn position(&self, age: f64) -> DVec2 {
+    fn position(&self, at: f64) -> DVec2 {
+        let age = at - self.since;
         self.position + age * (self.velocity + (0.5 * age) * self.acceleration)
     }
 
     #[inline]
-    fn velocity(&self, age: f64) -> DVec2 {
-        self.velocity + age * self.acceleration
+    fn velocity(&self, at: f64) -> DVec2 {
+        self.velocity + (at - self.since) * self.acceleration
     }
 
     #[inline]
@@ -202,13 +222,13 @@ impl Body for Rubbed {
     }
 
     #[inline]
-    fn left(&self) -> f64 {
-        self.left
+    fn change(&self) -> f64 {
+        self.change
     }
 
     #[inline]
-    fn state(&self, ball: &Ball, age: f64) -> State {
-        self.piece(ball).at(age)
+    fn state(&self, ball: &Ball, at: f64) -> State {
+        self.piece(ball).at(at - self.since)
     }
 
     #[inline]
@@ -217,12 +237,10 @@ impl Body for Rubbed {
     }
 
     #[inline]
-    fn moved(&self, ball: &Ball, age: f64) -> Self {
+    fn rebased(&self, _: &Ball, at: f64) -> Self {
         Self {
-            position: self.position(age),
-            velocity: self.velocity(age),
-            spin: self.piece(ball).angular_velocity(age),
-            left: self.left - age,
+            since: self.since - at,
+            change: self.change - at,
             ..*self
         }
     }
@@ -234,12 +252,6 @@ impl Body for Rubbed {
 
     #[inline]
     fn is_still(&self) -> bool {
-        matches!(self.motion, Motion::Rest | Motion::Pocketed)
-    }
-
-    #[inline]
-    fn energy(&self, ball: &Ball) -> f64 {
-        0.5 * ball.mass * self.velocity.length_squared()
-            + 0.5 * ball.inertia() * self.spin.length_squared()
+        self.motion.is_still()
     }
 }

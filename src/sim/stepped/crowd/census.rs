@@ -4,10 +4,12 @@ use std::time::{Duration, Instant};
 
 use bevy::prelude::*;
 
-/// The passes over a tile, in their order. They carry the names of the systems of a tick.
+use crate::physics::ball::{Ball, State};
+
+/// The passes of a tick, in their order. They carry the names of the systems of a tick.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Pass {
-    /// Balls are taken to their tiles and sorted by cell.
+    /// Balls are sorted by cell.
     Grid,
     /// Contacts between balls are found.
     Balls,
@@ -38,7 +40,7 @@ impl Pass {
 pub struct Census {
     /// Balls in play.
     pub balls: usize,
-    /// Balls in tiles in which something moved, the others cost nothing.
+    /// Balls that moved, or have moved lately; the others cost nothing.
     pub awake: usize,
     /// Contacts between balls in the tick.
     pub contacts: u64,
@@ -56,7 +58,7 @@ pub struct Census {
     pub speed: f64,
     /// Parts the tick was cut into, so that no ball moves much further than a diameter or two at a time.
     pub parts: u32,
-    /// Tiles that had to be solved again together with a neighbour, because a chain of contacts ran through both.
+    /// Times that a cluster of contacts had to be followed again, because it turned out to be tied to another.
     pub repeated: u64,
     /// Balls that met so many others in the tick that from then on they no longer bounced and met them in fixed short
     /// intervals: the scene is denser than the solver keeps apart, and [`Self::overlap`] says by how much.
@@ -65,18 +67,20 @@ pub struct Census {
     pub times: [Duration; 6],
 }
 
-/// The sums over one patch.
+/// What was done in a stripe, or in all.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Tally {
-    /// Own balls that met a ball, counted once a contact: twice the number of contacts.
+    /// Contacts of two balls.
     pub met: u64,
     pub cushions: u64,
     pub saturated: u64,
     pub overlap: f64,
-    pub energy: f64,
-    pub momentum: [f64; 2],
-    /// Square of the largest speed.
+    pub repeated: u64,
+    /// Square of the largest speed, and sum of squares.
     pub speed: f64,
+    pub squares: f64,
+    /// Balls that should move and do not.
+    pub stopped: u64,
     pub times: [Duration; 6],
 }
 
@@ -88,39 +92,49 @@ impl Tally {
         *lap = now;
     }
 
-    /// Only what is summed over the balls of one tile at the end.
-    pub fn of_tile(&self) -> Self {
-        Self {
-            energy: self.energy,
-            momentum: self.momentum,
-            speed: self.speed,
-            ..Self::default()
-        }
-    }
-
-    /// Adds the next part of the tick: counts add up, what is summed over balls is that of the later part.
-    pub fn follow(&mut self, next: &Self) {
-        *self = Self {
-            energy: 0.0,
-            momentum: [0.0; 2],
-            speed: 0.0,
-            ..*self
-        };
-        self.add(next);
-    }
-
     /// Adds what has been done, wherever it was done.
     pub fn add(&mut self, other: &Self) {
         self.met += other.met;
         self.cushions += other.cushions;
         self.saturated += other.saturated;
         self.overlap = self.overlap.max(other.overlap);
-        self.energy += other.energy;
-        self.momentum[0] += other.momentum[0];
-        self.momentum[1] += other.momentum[1];
+        self.repeated += other.repeated;
+        self.squares += other.squares;
+        self.stopped += other.stopped;
         self.speed = self.speed.max(other.speed);
         for (mine, theirs) in self.times.iter_mut().zip(other.times) {
             *mine += theirs;
         }
+    }
+}
+
+/// What is summed over balls at the end of a tick.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Sums {
+    pub energy: f64,
+    pub momentum: [f64; 2],
+    /// Square of the largest speed.
+    pub speed: f64,
+    pub moves: bool,
+}
+
+impl Sums {
+    /// Counts a ball.
+    #[inline]
+    pub fn count(&mut self, ball: &Ball, state: &State) {
+        let v = state.velocity;
+        self.energy += ball.kinetic_energy(state);
+        self.momentum[0] += ball.mass * v.x;
+        self.momentum[1] += ball.mass * v.z;
+        self.speed = self.speed.max(v.length_squared());
+        self.moves |= !state.motion.is_still();
+    }
+
+    pub fn add(&mut self, other: &Self) {
+        self.energy += other.energy;
+        self.momentum[0] += other.momentum[0];
+        self.momentum[1] += other.momentum[1];
+        self.speed = self.speed.max(other.speed);
+        self.moves |= other.moves;
     }
 }

@@ -1,285 +1,350 @@
-//! One tick of a crowd: every tile with its surroundings by itself, on all threads, and then the proof that all tiles
-//! agree.
+//! One tick of a crowd.
 //!
-//! A tile computes what becomes of its own balls. To know what comes in from outside it follows its surroundings too,
-//! several diameters wide, and throws that part away. Then each tile's idea of the balls that its own could meet is
-//! compared, bit for bit, with what became of them in their own tile. Where both agree for all tiles, the tiles
-//! together are one solution of the whole tick, and since contacts are resolved in order of time there is only one:
-//! the result does not depend on tiles, cells or threads. Where a chain of contacts has run through, the two tiles are
-//! solved again as one, until all agree.
+//! The balls stay where they are in memory; every tick only their records, 16 bytes each, are sorted by cell. Now and
+//! then the balls themselves are sorted, so that those that are near each other on the table are near each other in
+//! memory ([`Field::sort`]). The table is cut into stripes of rows of cells, one or more for each thread. Each finds and
+//! follows its clusters of contacts by itself; those that reach beyond it are followed afterwards, one after the other.
 
-use std::sync::{Mutex, PoisonError};
+use std::time::Instant;
 
-use bevy::tasks::ComputeTaskPool;
 use glam::DVec2;
 
+use crate::physics::ball::{Ball, State};
+use crate::physics::laws::motion::MotionLaw;
 use crate::physics::roots::RootError;
 use crate::sim::stepped::crowd::body::Body;
-use crate::sim::stepped::crowd::census::{Pass, Tally};
-use crate::sim::stepped::crowd::patch::{Patch, Role, Stretch};
-use crate::sim::stepped::crowd::tiles::{Outcome, Tiles};
-
-/// Layers of balls that a tile follows beyond the balls that its own can meet, in radii.
-const DEPTH: f64 = 5.0;
+use crate::sim::stepped::crowd::cells::{Cells, Record};
+use crate::sim::stepped::crowd::census::{Pass, Sums, Tally};
+use crate::sim::stepped::crowd::search::{Scratch, Solver};
+use crate::sim::stepped::crowd::share::share;
+use crate::sim::stepped::crowd::stripe::{Stretch, Stripe, place};
 
 /// All balls of one kind.
 pub(super) struct Field<B> {
-    pub tiles: Tiles<B>,
-    outcomes: Vec<Outcome<B>>,
-    /// Scratch memory, one for each thread.
-    patches: Vec<Patch<B>>,
-    strays: Vec<u32>,
-    /// Group of each tile where tiles are solved together.
-    group: Vec<u32>,
-    /// Threads to use at most.
-    pub threads: usize,
-    /// Tiles solved again.
-    pub repeated: u64,
-    pub awake: usize,
+    /// In an order that keeps near what is near; those that rested when they were last sorted come last.
+    pub bodies: Vec<B>,
+    /// Index in the scene of each.
+    pub numbers: Vec<u32>,
+    /// Where the ball of each index is; a slot that does not exist for one out of play.
+    pub slots: Vec<u32>,
+    /// How many of the balls moved when they were last sorted.
+    pub moving: usize,
+    /// Those of the others that have begun to move since.
+    pub woken: Vec<u32>,
+    pub stripes: Vec<Stripe<B>>,
+    scratch: Vec<Scratch>,
+    pub cells: Cells,
+    /// Seconds since the clock of the bodies was set to zero.
+    pub now: f64,
+    /// Ticks since then, and work since the balls were last sorted, in balls.
+    pub ticks: u32,
+    pub work: usize,
+    /// Mean square speed, and the largest, m²/s².
+    pub mean_square: f64,
+    pub speed: f64,
+    /// How far the balls at rest may get by a contact before more than their links must be looked at, m.
+    pub still_spare: f64,
+    /// Moving balls that had no speed in the last tick.
+    stopped: usize,
 }
 
+/// Balls summed up at a time.
+const BLOCK: usize = 4096;
+/// Each ball is sorted anew after so many ticks in which all moved.
+const SORT_AFTER: usize = 32;
+/// The clock of the bodies is set to zero after so many ticks.
+const REBASE_AFTER: u32 = 256;
+/// Balls that get further than this many times the root of the mean square are looked after one by one: with the speeds
+/// of a gas one in a hundred and fifty.
+const CUT: f64 = 2.2;
+/// What is left to balls that are met, as a share of the cut.
+const SPARE: f64 = 0.5;
+/// Least room in a cell beyond a diameter, in radii.
+const ROOM: f64 = 0.3;
+
 impl<B: Body> Field<B> {
-    pub fn new(size: DVec2, side: f64, balls: usize, threads: usize) -> Self {
-        let tiles = Tiles::new(size, side, balls);
-        let count = tiles.all.len();
+    fn new(bodies: Vec<B>, numbers: Vec<u32>) -> Self {
+        let count = numbers.iter().max().map_or(0, |most| *most as usize + 1);
+        let mut slots = vec![u32::MAX; count];
+        for (slot, number) in (0..).zip(&numbers) {
+            slots[*number as usize] = slot;
+        }
         Self {
-            tiles,
-            outcomes: (0..count).map(|_| Outcome::default()).collect(),
-            patches: (0..threads.max(1)).map(|_| Patch::new()).collect(),
-            strays: Vec::new(),
-            group: vec![0; count],
-            threads: threads.max(1),
-            repeated: 0,
-            awake: 0,
+            moving: bodies.len(),
+            bodies,
+            numbers,
+            slots,
+            woken: Vec::new(),
+            stripes: Vec::new(),
+            scratch: Vec::new(),
+            cells: Cells::new(DVec2::ONE, DVec2::ONE),
+            now: 0.0,
+            ticks: 0,
+            work: 0,
+            mean_square: 0.0,
+            speed: 0.0,
+            still_spare: 0.0,
+            stopped: 0,
         }
     }
 
-    /// Largest speed now, m/s.
-    pub fn speed(&self) -> f64 {
-        self.tiles
-            .all
+    /// Balls of these numbers in these states.
+    pub fn start(law: &MotionLaw, ball: &Ball, balls: &[(u32, State)]) -> Self {
+        let bodies: Vec<B> = balls
             .iter()
-            .filter(|tile| tile.moves)
-            .flat_map(|tile| &tile.bodies)
-            .fold(0.0_f64, |most, body| {
-                most.max(body.velocity(0.0).length_squared())
-            })
-            .sqrt()
+            .map(|(_, state)| B::start(law, ball, state, 0.0))
+            .collect();
+        let mut field = Self::new(bodies, balls.iter().map(|(number, _)| *number).collect());
+        let squares = || {
+            field
+                .bodies
+                .iter()
+                .map(|body| body.velocity(0.0).length_squared())
+        };
+        field.mean_square = squares().sum::<f64>() / balls.len().max(1) as f64;
+        field.speed = squares().fold(0.0, f64::max).sqrt();
+        field
     }
 
-    /// Runs a stretch in which no ball gets further than `reach` m, and says what was done. `None` if one did: nothing has
-    /// changed then.
-    pub fn advance(&mut self, stretch: &Stretch, reach: f64) -> Option<Tally> {
-        let started = std::time::Instant::now();
-        let radius = stretch.ball.radius;
-        let near = 2.0 * (radius + reach);
-        let far = near + DEPTH * radius;
-        if self.tiles.all.len() > 1 {
-            let tiles = self.tiles.all.iter_mut();
-            let tiles: Vec<_> = tiles.filter(|tile| !tile.is_listed(far)).collect();
-            share(self.threads, tiles, &mut self.patches, |_, tile| {
-                tile.list_sides(far);
-            });
-        }
-        let mut tally = Tally::default();
-        tally.times[Pass::Grid as usize] += started.elapsed();
-        self.solve(stretch, near, far);
-        self.agree(stretch, near, far);
-        for outcome in &self.outcomes {
-            tally.add(&outcome.tally);
-        }
-        if tally.speed.sqrt() * stretch.length > reach {
-            return None;
-        }
-        self.commit();
-        Some(tally)
+    /// The state of the ball of this number of the scene, if it is in play.
+    #[inline]
+    pub fn state(&self, ball: &Ball, number: usize) -> Option<State> {
+        let slot = *self.slots.get(number)?;
+        Some(self.bodies.get(slot as usize)?.state(ball, self.now))
     }
 
-    /// Solves every tile that is awake, each by itself.
-    fn solve(&mut self, stretch: &Stretch, near: f64, far: f64) {
-        let tiles = &self.tiles;
-        let mut awake = Vec::with_capacity(tiles.all.len());
-        for (tile, outcome) in self.outcomes.iter_mut().enumerate() {
-            if tiles.is_awake(tile) {
-                awake.push((tile, outcome));
-            } else {
-                outcome.sleep();
+    /// What is summed over balls. The blocks do not depend on threads.
+    pub fn sums(&self, ball: &Ball, threads: usize) -> Sums {
+        let mut sums = vec![Sums::default(); self.moving.div_ceil(BLOCK) + 1];
+        let woken = |sums: &mut Sums| {
+            for slot in &self.woken {
+                sums.count(ball, &self.bodies[*slot as usize].state(ball, self.now));
             }
+        };
+        let blocks = self.bodies[..self.moving].chunks(BLOCK).zip(&mut sums[1..]);
+        share(threads, blocks, |(bodies, sums)| {
+            for body in bodies {
+                sums.count(ball, &body.state(ball, self.now));
+            }
+        });
+        woken(&mut sums[0]);
+        let mut all = Sums::default();
+        for sum in &sums {
+            all.add(sum);
         }
-        self.awake = awake
-            .iter()
-            .map(|(tile, _)| tiles.all[*tile].bodies.len())
-            .sum();
-        share(
-            self.threads,
-            awake,
-            &mut self.patches,
-            |patch, (tile, outcome)| {
-                let started = std::time::Instant::now();
-                patch.clear();
-                for (body, origin) in tiles.own(tile) {
-                    patch.add(body, origin);
-                }
-                for other in tiles.around(tile) {
-                    for (body, origin) in tiles.halo(tile, other, near, far) {
-                        patch.add(body, origin);
-                    }
-                }
-                patch.tally.times[Pass::Grid as usize] += started.elapsed();
-                patch.solve(stretch);
-                let mut lap = std::time::Instant::now();
-                outcome.take(stretch, patch, tile as u32, &tiles.all[tile]);
-                outcome.tally.time(Pass::Move, &mut lap);
+        all
+    }
+
+    /// Balls that may move.
+    pub fn awake(&self) -> usize {
+        self.moving + self.woken.len()
+    }
+
+    /// Advances all balls by a stretch of time.
+    pub fn advance(
+        &mut self,
+        stretch: &Stretch,
+        cell: Option<DVec2>,
+        threads: usize,
+        stripes: usize,
+    ) -> Tally {
+        let mut lap = Instant::now();
+        let mut tally = Tally::default();
+        let length = stretch.end - stretch.start;
+        let (start, end) = (self.now, self.now + length);
+        let cut = self.cut(stretch, length);
+        let overdue = self.work >= SORT_AFTER * self.bodies.len()
+            || self.woken.len() > 64 + self.moving / 8
+            || self.ticks > 8 && self.stopped > 64 + self.moving / 8 && self.work > 8 * self.moving
+            || (cell.is_none()
+                && self.reach(stretch, cut) * self.cells.per_cell.max_element() > 1.0 + 1e-6);
+        if self.stripes.is_empty() || overdue {
+            self.sort(stretch, cell, stripes, cut);
+        } else if self.ticks >= REBASE_AFTER {
+            self.rebase(stretch);
+        }
+        let (start, end) = (
+            start.min(self.now),
+            if start == self.now {
+                end
+            } else {
+                self.now + length
             },
         );
+        let spare = Self::spare(cut);
+        let most = (cut + spare).max(self.still_spare) * (1.0 + 1e-6);
+        let stretch = Stretch {
+            start,
+            end,
+            cut,
+            spare,
+            most,
+            cells: self.cells,
+            ..*stretch
+        };
+        self.lay_records(&stretch, threads);
+        tally.time(Pass::Grid, &mut lap);
+        self.follow(&stretch, threads);
+        let mut lap = Instant::now();
+        self.commit(threads);
+        for stripe in &self.stripes {
+            tally.add(&stripe.tally);
+        }
+        if let MotionLaw::Coursework(_) = stretch.laws.motion {
+            self.rub(&stretch);
+        }
+        self.now = end;
+        self.ticks += 1;
+        self.work += self.awake();
+        self.mean_square = tally.squares / (self.awake().max(1) as f64);
+        self.speed = tally.speed.sqrt();
+        self.stopped = tally.stopped as usize;
+        tally.time(Pass::Move, &mut lap);
+        tally
     }
 
-    /// Solves again together the tiles that do not agree, until all do.
-    fn agree(&mut self, stretch: &Stretch, near: f64, far: f64) {
-        if self.tiles.all.len() < 2 {
-            return;
+    fn cut(&self, stretch: &Stretch, length: f64) -> f64 {
+        let bend = if B::BENDS { length * stretch.bend } else { 0.0 };
+        let usual = 0.5 * length * (CUT * self.mean_square.sqrt() + bend);
+        // A few fast balls among many slow ones must not be all in all.
+        usual.max(0.5 * ROOM * stretch.ball.radius)
+    }
+
+    /// How much further a ball may get by a contact before more than its links must be looked at, m.
+    pub fn spare(cut: f64) -> f64 {
+        SPARE * cut
+    }
+
+    /// How far the centres of two balls can be from each other in the middle of their paths, and meet.
+    pub fn reach(&self, stretch: &Stretch, cut: f64) -> f64 {
+        let most = (cut + Self::spare(cut)).max(self.still_spare);
+        (stretch.reach() + 2.0 * most) * (1.0 + 1e-5)
+    }
+
+    /// Sorts the records of all moving balls by cell.
+    fn lay_records(&mut self, stretch: &Stretch, threads: usize) {
+        let bodies = &self.bodies;
+        share(threads, self.stripes.iter_mut(), |stripe| {
+            stripe.stage(stretch, bodies);
+        });
+        let columns = stretch.cells.columns;
+        let mut leaving = Vec::new();
+        for stripe in &mut self.stripes {
+            leaving.append(&mut stripe.leaving);
         }
-        for (tile, group) in (0..).zip(&mut self.group) {
-            *group = tile;
+        for &slot in &self.woken {
+            let first = &mut self.stripes[0];
+            let (record, key, free) =
+                stretch.record(&bodies[slot as usize], slot, &mut first.tally);
+            first.fastest = first.fastest.max(free);
+            leaving.push((record, key));
         }
-        loop {
-            let mut joined = Vec::new();
-            for (tile, outcome) in (0..).zip(&self.outcomes) {
-                for (copy, changes, [other, slot]) in &outcome.copies {
-                    let (one, two) = (root(&self.group, tile), root(&self.group, *other));
-                    if one == two {
-                        continue;
-                    }
-                    let (other, slot) = (*other as usize, *slot as usize);
-                    let theirs = &self.outcomes[other];
-                    let truth = if theirs.slept {
-                        // At rest the end is the start.
-                        (&self.tiles.all[other].bodies[slot], &0)
-                    } else {
-                        (&theirs.bodies[slot], &theirs.changes[slot])
-                    };
-                    if (copy, changes) != truth {
-                        self.group[one.max(two) as usize] = one.min(two);
-                        joined.push(one.min(two));
-                    }
-                }
-            }
-            if joined.is_empty() {
-                return;
-            }
-            for root_tile in &mut joined {
-                *root_tile = root(&self.group, *root_tile);
-            }
-            joined.sort_unstable();
-            joined.dedup();
-            for group in joined {
-                self.solve_group(stretch, group, near, far);
+        for (record, key) in leaving {
+            let row = Stripe::<B>::row_of(key, columns);
+            let home = self
+                .stripes
+                .iter_mut()
+                .find(|stripe| stripe.rows.contains(&row));
+            if let Some(home) = home {
+                home.coming.push((record, key));
             }
         }
     }
 
-    /// Solves the tiles of a group as one.
-    fn solve_group(&mut self, stretch: &Stretch, group: u32, near: f64, far: f64) {
-        let tiles = &self.tiles;
-        let members: Vec<usize> = (0..tiles.all.len())
-            .filter(|&tile| root(&self.group, tile as u32) == group)
-            .collect();
-        self.repeated += members.len() as u64;
-        let mut halo: Vec<_> = Vec::new();
-        for &tile in &members {
-            for other in tiles.around(tile) {
-                if root(&self.group, other.0 as u32) != group {
-                    halo.extend(tiles.halo(tile, other, near, far));
-                }
-            }
+    /// Finds and follows all clusters.
+    fn follow(&mut self, stretch: &Stretch, threads: usize) {
+        let fastest = self
+            .stripes
+            .iter()
+            .map(|stripe| stripe.fastest)
+            .fold(0.0, f64::max);
+        let all = self.stripes.len();
+        self.scratch.resize_with(all, Scratch::default);
+        let truth = (&self.bodies[..], &self.numbers[..]);
+        let span = stretch.cells.span(self.reach(stretch, stretch.cut));
+        let work = self.stripes.iter_mut().zip(&mut self.scratch);
+        share(threads, work, |(stripe, scratch)| {
+            let mut lap = Instant::now();
+            stripe.scatter(stretch);
+            stripe.tally.time(Pass::Grid, &mut lap);
+            let index = stripe.index;
+            let stripes = std::slice::from_mut(stripe);
+            let mut solver = Solver::new(stretch, (stripes, index, all), truth, fastest, scratch);
+            solver.work_through(span, scratch);
+            solver.finish(scratch);
+        });
+        let mut lap = Instant::now();
+        let scratch = &mut self.scratch[0];
+        let mut solver = Solver::new(
+            stretch,
+            (&mut self.stripes, 0, all),
+            truth,
+            fastest,
+            scratch,
+        );
+        if all > 1 {
+            solver.begin_across(span, scratch);
         }
-        // A ball can be near two members.
-        halo.sort_by_key(|(_, origin)| (origin.number, origin.role == Role::Far));
-        halo.dedup_by_key(|(_, origin)| origin.number);
-        let patch = &mut self.patches[0];
-        patch.clear();
-        for &tile in &members {
-            for (body, origin) in tiles.own(tile) {
-                patch.add(body, origin);
-            }
-        }
-        for (body, origin) in halo {
-            patch.add(body, origin);
-        }
-        patch.solve(stretch);
-        for &tile in &members {
-            let outcome = &mut self.outcomes[tile];
-            outcome.take(stretch, patch, tile as u32, &tiles.all[tile]);
-            // What is kept a patch at a time is counted once.
-            outcome.copies.clear();
-            outcome.failure = None;
-            outcome.tally = outcome.tally.of_tile();
-        }
-        let first = &mut self.outcomes[members[0]];
-        first.failure = patch.failure;
-        first.tally.add(&patch.tally);
-        first
-            .copies
-            .extend(patch.ends(stretch).filter_map(|(body, changes, origin)| {
-                let place = [origin.tile, origin.slot];
-                (origin.role == Role::Near).then_some((body, changes, place))
-            }));
+        solver.solve_wide();
+        solver.finish(scratch);
+        self.stripes[0].tally.time(Pass::Resolve, &mut lap);
     }
 
     /// The failure of the ball with the lowest number, if any.
     pub fn failure(&self) -> Option<(u32, RootError)> {
-        let failures = self.outcomes.iter().filter_map(|outcome| outcome.failure);
+        let failures = self.stripes.iter().filter_map(|stripe| stripe.failure);
         failures.min_by_key(|(number, _)| *number)
     }
 
-    /// Makes the outcomes the state.
-    fn commit(&mut self) {
-        self.strays.clear();
-        for (tile, outcome) in self.tiles.all.iter_mut().zip(&mut self.outcomes) {
-            if !outcome.slept {
-                tile.commit(outcome);
-                self.strays.extend(&outcome.strays);
+    /// Puts the balls that were caught on their last legs.
+    fn commit(&mut self, threads: usize) {
+        let mut rest = &mut self.bodies[..];
+        let mut homes = Vec::with_capacity(self.stripes.len());
+        for stripe in &self.stripes {
+            let (home, others) = rest.split_at_mut(stripe.home.len());
+            homes.push(home);
+            rest = others;
+        }
+        share(
+            threads,
+            self.stripes.iter_mut().zip(homes),
+            |(stripe, home)| stripe.commit(home),
+        );
+        for stripe in &mut self.stripes {
+            for id in std::mem::take(&mut stripe.foreign) {
+                let ball = stripe.caught[id as usize];
+                let slot = ball.slot as usize;
+                self.bodies[slot] = stripe.legs[ball.last as usize].body;
+                if ball.place & place::STILL != 0 {
+                    let (still, index) = (&mut stripe.still, place::index(ball.place));
+                    if ball.last == ball.first {
+                        still.records[index] = Record::new(
+                            self.bodies[slot].position(self.now),
+                            self.still_spare as f32,
+                            ball.slot,
+                        );
+                    } else {
+                        still.clear(index);
+                        self.woken.push(ball.slot);
+                    }
+                }
             }
         }
-        self.tiles.hand_over(&self.strays);
     }
-}
 
-/// The lowest tile of the group of a tile.
-fn root(group: &[u32], mut tile: u32) -> u32 {
-    while group[tile as usize] != tile {
-        tile = group[tile as usize];
+    /// The friction of the coursework report comes after the tick.
+    fn rub(&mut self, stretch: &Stretch) {
+        let MotionLaw::Coursework(coursework) = &stretch.laws.motion else {
+            return;
+        };
+        let (law, ball, at) = (&stretch.laws.motion, &stretch.ball, stretch.end);
+        let rub = |body: &mut B| {
+            let state = coursework.rub(ball, &body.state(ball, at), at - stretch.start);
+            *body = B::start(law, ball, &law.classify(ball, state), at);
+        };
+        self.bodies[..self.moving].iter_mut().for_each(rub);
+        for slot in &self.woken {
+            rub(&mut self.bodies[*slot as usize]);
+        }
     }
-    tile
-}
-
-/// Works on all items, each thread with its own scratch. Items are given out one by one, so that no thread waits for
-/// another that drew the heavy ones; what is done to an item does not depend on who does it.
-pub(super) fn share<T: Send, S: Send>(
-    threads: usize,
-    items: Vec<T>,
-    scratch: &mut [S],
-    work: impl Fn(&mut S, T) + Sync,
-) {
-    let threads = threads.min(items.len()).min(scratch.len());
-    let pool = ComputeTaskPool::try_get().filter(|_| threads > 1);
-    let Some(pool) = pool else {
-        for item in items {
-            work(&mut scratch[0], item);
-        }
-        return;
-    };
-    let (queue, work) = (Mutex::new(items.into_iter()), &work);
-    pool.scope(|scope| {
-        for scratch in &mut scratch[..threads] {
-            let queue = &queue;
-            scope.spawn(async move {
-                loop {
-                    let item = queue.lock().unwrap_or_else(PoisonError::into_inner).next();
-                    let Some(item) = item else { break };
-                    work(scratch, item);
-                }
-            });
-        }
-    });
 }

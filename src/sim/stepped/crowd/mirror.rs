@@ -14,8 +14,9 @@ use crate::sim::components::{
 use crate::sim::messages::Failed;
 use crate::sim::playfield::Playfield;
 use crate::sim::stepped::crowd::body::Body;
-use crate::sim::stepped::crowd::field::{Field, share};
-use crate::sim::stepped::crowd::tiles::Tiles;
+use crate::sim::stepped::crowd::census::Sums;
+use crate::sim::stepped::crowd::field::Field;
+use crate::sim::stepped::crowd::share::share;
 use crate::sim::stepped::crowd::{Census, Crowd, Kind, Pass, book};
 
 /// When the components of a crowd are written.
@@ -68,11 +69,11 @@ pub(in crate::sim::stepped) fn take_up(
         return;
     }
     match read(&crowd, &balls) {
-        Ok((ball, count, states)) => {
+        Ok((ball, states)) => {
             census.balls = states.len();
             census.contacts_in_all = 0;
             census.repeated = 0;
-            crowd.lay_out(&playfield, ball, count, &states);
+            crowd.lay_out(&playfield, ball, &states);
         }
         Err(reason) => {
             failed.write(Failed {
@@ -95,10 +96,9 @@ fn is_untouched(balls: &Read, written: Tick) -> bool {
     })
 }
 
-/// The constants of every ball, the number of balls with those out of play, and the states of those in play.
-fn read(crowd: &Crowd, balls: &Read) -> Result<(Ball, usize, Vec<(u32, State)>), String> {
+/// The constants of every ball, and the states of those in play.
+fn read(crowd: &Crowd, balls: &Read) -> Result<(Ball, Vec<(u32, State)>), String> {
     let mut every: Option<Ball> = None;
-    let mut count = 0;
     let mut states = Vec::with_capacity(balls.iter().len());
     for (index, position, velocity, spin, mass, radius, motion) in balls {
         let touched = crowd.written != Some(velocity.last_changed())
@@ -121,63 +121,80 @@ fn read(crowd: &Crowd, balls: &Read) -> Result<(Ball, usize, Vec<(u32, State)>),
             ));
         }
         every = Some(ball);
-        count = count.max(index.0 + 1);
         if state.motion.in_play() {
             states.push((index.0 as u32, state));
         }
     }
     let ball = every.ok_or("there are no balls")?;
-    Ok((ball, count, states))
+    Ok((ball, states))
 }
 
-/// Writes the components.
+/// Writes the components, and sums up what is summed over balls.
 pub(in crate::sim::stepped) fn write(
     mut crowd: ResMut<Crowd>,
     mut census: ResMut<Census>,
     mut balls: Write,
     ticks: SystemChangeTick,
 ) {
-    let lap = Instant::now();
-    let wanted = crowd.mirror == Mirror::EveryTick || crowd.asked || !crowd.is_moving();
-    if !(wanted && crowd.behind) {
+    if !crowd.behind {
         return;
     }
+    let lap = Instant::now();
     let threads = crowd.threads();
     let Some(ball) = crowd.ball else { return };
-    match &crowd.field {
-        Some(Kind::Gliding(field)) => write_all(field, &ball, threads, &mut balls),
-        Some(Kind::Rubbed(field)) => write_all(field, &ball, threads, &mut balls),
+    let wanted = crowd.mirror == Mirror::EveryTick || crowd.asked;
+    let crowd = &mut *crowd;
+    let sums = match &crowd.field {
+        Some(Kind::Gliding(field)) if wanted => write_all(field, &ball, threads, &mut balls),
+        Some(Kind::Rubbed(field)) if wanted => write_all(field, &ball, threads, &mut balls),
+        Some(Kind::Gliding(field)) => field.sums(&ball, threads),
+        Some(Kind::Rubbed(field)) => field.sums(&ball, threads),
         None => return,
-    }
-    crowd.behind = false;
-    crowd.asked = false;
-    crowd.written = Some(ticks.this_run());
+    };
+    census.energy = sums.energy;
+    census.momentum = sums.momentum;
+    census.speed = sums.speed.sqrt();
     book(&mut census, Pass::Mirror, lap);
+    crowd.moves = sums.moves;
+    if wanted || !sums.moves {
+        if !wanted {
+            match &crowd.field {
+                Some(Kind::Gliding(field)) => write_all(field, &ball, threads, &mut balls),
+                Some(Kind::Rubbed(field)) => write_all(field, &ball, threads, &mut balls),
+                None => return,
+            };
+        }
+        crowd.behind = false;
+        crowd.asked = false;
+        crowd.written = Some(ticks.this_run());
+    }
 }
 
 /// Balls written at a time by one thread.
 const CHUNK: usize = 16_384;
 
-fn write_all<B: Body>(field: &Field<B>, ball: &Ball, threads: usize, balls: &mut Write) {
+fn write_all<B: Body>(field: &Field<B>, ball: &Ball, threads: usize, balls: &mut Write) -> Sums {
     let Ok(tables) = balls.contiguous_iter_mut() else {
-        return;
+        return Sums::default();
     };
+    let mut all = Sums::default();
     for (index, mut position, mut velocity, mut spin, mut motion) in tables {
         let mut spins = spin.as_deref_mut().map(|spin| spin.chunks_mut(CHUNK));
-        let chunks: Vec<_> = index
+        let mut sums = vec![Sums::default(); index.len().div_ceil(CHUNK)];
+        let chunks = index
             .chunks(CHUNK)
             .zip(position.chunks_mut(CHUNK))
             .zip(velocity.chunks_mut(CHUNK))
             .zip(motion.chunks_mut(CHUNK))
-            .map(|chunk| (chunk, spins.as_mut().and_then(Iterator::next)))
-            .collect();
-        let mut scratch = vec![(); threads];
-        share(threads, chunks, &mut scratch, |(), (chunk, mut spin)| {
-            let (((index, position), velocity), motion) = chunk;
-            for k in 0..index.len() {
-                let Some(state) = state(&field.tiles, ball, index[k]) else {
+            .zip(&mut sums)
+            .map(|chunk| (chunk, spins.as_mut().and_then(Iterator::next)));
+        share(threads, chunks, |(chunk, mut spin)| {
+            let ((((index, position), velocity), motion), sums) = chunk;
+            for k in 0..position.len() {
+                let Some(state) = field.state(ball, index[k].0) else {
                     continue;
                 };
+                sums.count(ball, &state);
                 position[k] = Position(state.position);
                 velocity[k] = Velocity(state.velocity);
                 motion[k] = MotionKind(state.motion);
@@ -186,12 +203,9 @@ fn write_all<B: Body>(field: &Field<B>, ball: &Ball, threads: usize, balls: &mut
                 }
             }
         });
+        for sum in &sums {
+            all.add(sum);
+        }
     }
-}
-
-#[inline]
-fn state<B: Body>(tiles: &Tiles<B>, ball: &Ball, index: BallIndex) -> Option<State> {
-    let [tile, slot] = *tiles.places.get(index.0)?;
-    let tile = tiles.all.get(tile as usize)?;
-    Some(tile.bodies[slot as usize].state(ball, 0.0))
+    all
 }

@@ -1,23 +1,27 @@
 //! Crowds: thousands to a million equal balls, packed, on all threads.
 //!
 //! The systems of a tick are the same and so are the laws; what differs is where the data lie. The grid resource
-//! [`Crowd`] holds the balls in tiles; a tile is worked through pass by pass (grid, balls, cushions, resolve, move)
-//! while it is in the cache of one core, instead of the whole table system by system. Contacts are located inside the
-//! tick and resolved in order of time, exactly as for few balls: a frictionless crowd ends in the same bits as the same
-//! scene without [`Stepped::crowd`], with any cells and any number of threads.
+//! [`Crowd`] holds the balls packed, near what they are near, and works on stripes of the table on all threads. Contacts
+//! are located inside the tick and resolved in order of time, exactly as for few balls. There is one solution, whoever
+//! computes it: the same bits with any cells and on any number of threads.
 //!
 //! A crowd tells nothing ball by ball: no messages of contacts and no record, only the numbers of its [`Census`]. Its
 //! balls are equal, stay on the slate and know no pockets. Everything else plays in the general solver.
 
+mod ahead;
+mod begin;
 mod body;
+mod caught;
+mod cells;
 mod census;
-mod collide;
+mod cluster;
 mod field;
 mod mirror;
-mod patch;
-mod queue;
+mod order;
+mod search;
 mod settle;
-mod tiles;
+mod share;
+mod stripe;
 mod walls;
 
 pub use census::{Census, Pass};
@@ -26,7 +30,7 @@ pub(super) use mirror::{take_up, write};
 
 use std::time::Instant;
 
-use bevy::ecs::change_detection::Tick;
+use bevy::ecs::change_detection::Tick as ChangeTick;
 use bevy::prelude::*;
 use bevy::tasks::{ComputeTaskPool, available_parallelism};
 use glam::DVec2;
@@ -40,36 +44,33 @@ use crate::sim::clock::Clock;
 use crate::sim::messages::Failed;
 use crate::sim::playfield::Playfield;
 use body::{Body, Gliding, Rubbed};
+use cells::Cells;
 use census::Tally;
 use field::Field;
-use patch::Stretch;
+use stripe::Stretch;
 use walls::Walls;
 
 /// How far a ball may move in one part of a tick, in radii. A faster one cuts the tick into parts.
 const REACH: f64 = 4.0;
-/// Speeds may grow by this factor in one part of a tick; if one grows more, the part is computed again.
-const GROWTH: f64 = 1.25;
-/// Least side of a tile, in radii.
-const LEAST_SIDE: f64 = 64.0;
 
-/// The balls of a crowd. Every ball of the crowd belongs to one tile of the table.
+/// The balls of a crowd.
 #[derive(Resource)]
 pub struct Crowd {
     field: Option<Kind>,
     walls: Walls,
     ball: Option<Ball>,
-    /// Largest speed, m/s.
-    speed: f64,
+    /// Whether any ball moves.
+    moves: bool,
     /// When the components were last written.
-    written: Option<Tick>,
+    written: Option<ChangeTick>,
     /// Whether the balls have moved since.
     behind: bool,
     asked: bool,
     /// Threads to use; absent is all that Bevy has for computing, and the one that waits for them.
     pub threads: Option<usize>,
-    /// Balls in a tile, if it is filled evenly; taken up when the balls are laid out. Large tiles leave the cache, small
-    /// ones have much around them. The result does not depend on it.
-    pub in_tile: usize,
+    /// Stripes that the table is cut into, each worked on by itself; absent is one for each thread. The result does not
+    /// depend on it.
+    pub stripes: Option<usize>,
     /// When the components are written.
     pub mirror: Mirror,
 }
@@ -80,12 +81,12 @@ impl Default for Crowd {
             field: None,
             walls: Walls::default(),
             ball: None,
-            speed: 0.0,
+            moves: true,
             written: None,
             behind: false,
             asked: false,
             threads: None,
-            in_tile: 4000,
+            stripes: None,
             mirror: Mirror::default(),
         }
     }
@@ -108,16 +109,8 @@ impl Crowd {
     pub fn state(&self, number: usize) -> Option<State> {
         let ball = self.ball.as_ref()?;
         match self.field.as_ref()? {
-            Kind::Gliding(field) => Some(field.tiles.body(number as u32)?.state(ball, 0.0)),
-            Kind::Rubbed(field) => Some(field.tiles.body(number as u32)?.state(ball, 0.0)),
-        }
-    }
-
-    fn is_moving(&self) -> bool {
-        match &self.field {
-            Some(Kind::Gliding(field)) => field.tiles.all.iter().any(|tile| tile.moves),
-            Some(Kind::Rubbed(field)) => field.tiles.all.iter().any(|tile| tile.moves),
-            None => false,
+            Kind::Gliding(field) => field.state(ball, number),
+            Kind::Rubbed(field) => field.state(ball, number),
         }
     }
 
@@ -128,32 +121,17 @@ impl Crowd {
             .max(1)
     }
 
-    /// Lays the balls out anew.
-    fn lay_out(&mut self, playfield: &Playfield, ball: Ball, count: usize, balls: &[(u32, State)]) {
+    /// Lays the balls out anew, those in play.
+    fn lay_out(&mut self, playfield: &Playfield, ball: Ball, balls: &[(u32, State)]) {
         let (table, law) = (&playfield.table, &playfield.laws.motion);
-        let size = DVec2::new(table.length, table.width);
-        let share = self.in_tile.max(1) as f64 / balls.len().max(1) as f64;
-        let side = (size.x * size.y * share)
-            .sqrt()
-            .max(LEAST_SIDE * ball.radius);
-        let threads = self.threads();
         self.walls = Walls::new(table, (1.0 + REACH) * ball.radius);
         self.ball = Some(ball);
         self.field = Some(if *law == MotionLaw::Frictionless && !ball.spins {
-            let mut field = Field::new(size, side, count, threads);
-            for (number, state) in balls {
-                field.tiles.add(Gliding::start(law, &ball, state), *number);
-            }
-            self.speed = field.speed();
-            Kind::Gliding(field)
+            Kind::Gliding(Field::start(law, &ball, balls))
         } else {
-            let mut field = Field::new(size, side, count, threads);
-            for (number, state) in balls {
-                field.tiles.add(Rubbed::start(law, &ball, state), *number);
-            }
-            self.speed = field.speed();
-            Kind::Rubbed(field)
+            Kind::Rubbed(Field::start(law, &ball, balls))
         });
+        self.moves = true;
     }
 
     /// Advances all balls by one tick.
@@ -163,80 +141,92 @@ impl Crowd {
         stepped: &Stepped,
         census: &mut Census,
     ) -> Result<(), (u32, RootError)> {
+        let threads = self.threads();
         let (Some(field), Some(ball)) = (&mut self.field, self.ball) else {
             return Ok(());
         };
         let size = DVec2::new(playfield.table.length, playfield.table.width);
-        let stretch = Stretch {
-            laws: &playfield.laws,
-            table: &playfield.table,
-            ball,
+        let tick = Tick {
             length: stepped.tick,
             cell: stepped
                 .grid
                 .map(|(columns, rows)| size / DVec2::new(f64::from(columns), f64::from(rows))),
+            threads,
+            stripes: self.stripes.unwrap_or(threads),
+        };
+        let stretch = Stretch {
+            laws: &playfield.laws,
+            table: &playfield.table,
+            ball,
             walls: &self.walls,
+            cells: Cells::new(DVec2::ONE, DVec2::ONE),
+            start: 0.0,
+            end: 0.0,
+            cut: 0.0,
+            spare: 0.0,
+            most: 0.0,
+            bend: bend(&playfield.laws),
         };
-        let (tally, parts) = match field {
-            Kind::Gliding(field) => run(field, &stretch, self.speed, census)?,
-            Kind::Rubbed(field) => run(field, &stretch, self.speed, census)?,
+        census.times = Default::default();
+        let tally = match field {
+            Kind::Gliding(field) => run(field, &stretch, &tick, census)?,
+            Kind::Rubbed(field) => run(field, &stretch, &tick, census)?,
         };
-        self.speed = tally.speed.sqrt();
         self.behind = true;
-        census.parts = parts;
-        census.contacts = tally.met / 2;
-        census.contacts_in_all += tally.met / 2;
+        census.contacts = tally.met;
+        census.contacts_in_all += tally.met;
         census.cushions = tally.cushions;
         census.overlap = tally.overlap;
-        census.energy = tally.energy;
-        census.momentum = tally.momentum.map(|sum| sum * ball.mass);
-        census.speed = self.speed;
+        census.repeated += tally.repeated;
         census.saturated = tally.saturated;
         census.times = tally.times;
         Ok(())
     }
 }
 
-/// The largest gain of speed in so many seconds without a contact, m/s.
-fn gain(laws: &Laws, seconds: f64) -> f64 {
+/// The largest acceleration without a contact, m/s².
+fn bend(laws: &Laws) -> f64 {
     match &laws.motion {
-        MotionLaw::Coulomb(cloth) => cloth.sliding * cloth.gravity * seconds,
+        MotionLaw::Coulomb(cloth) => cloth.sliding.max(cloth.rolling) * cloth.gravity,
         MotionLaw::Frictionless | MotionLaw::Coursework(_) => 0.0,
     }
+}
+
+/// A tick as it is asked for.
+struct Tick {
+    length: f64,
+    /// Size of a cell in m; fitted to balls and speeds where absent.
+    cell: Option<DVec2>,
+    threads: usize,
+    stripes: usize,
 }
 
 /// Runs a tick, in parts where balls are fast.
 fn run<B: Body>(
     field: &mut Field<B>,
-    tick: &Stretch,
-    mut speed: f64,
+    stretch: &Stretch,
+    tick: &Tick,
     census: &mut Census,
-) -> Result<(Tally, u32), (u32, RootError)> {
-    let reach = REACH * tick.ball.radius;
-    let before = field.repeated;
+) -> Result<Tally, (u32, RootError)> {
+    let reach = REACH * stretch.ball.radius;
     let (mut sum, mut parts) = (Tally::default(), 0);
     let mut left = tick.length;
     while left > 0.0 {
-        let most = GROWTH * speed + gain(tick.laws, left);
+        let most = field.speed + stretch.bend * left;
         let count = (most * left / reach).ceil().max(1.0);
-        let length = if count > 1.0 { left / count } else { left };
-        let stretch = Stretch { length, ..*tick };
-        let done = field.advance(&stretch, most * length);
+        let end = if count > 1.0 { left / count } else { left };
+        let part = Stretch { end, ..*stretch };
+        let tally = field.advance(&part, tick.cell, tick.threads, tick.stripes);
         if let Some(failure) = field.failure() {
             return Err(failure);
         }
-        let Some(tally) = done else {
-            speed = 2.0 * most;
-            continue;
-        };
-        speed = tally.speed.sqrt();
-        sum.follow(&tally);
+        sum.add(&tally);
         parts += 1;
-        left = if count > 1.0 { left - length } else { 0.0 };
+        left = if count > 1.0 { left - end } else { 0.0 };
     }
-    census.repeated += field.repeated - before;
-    census.awake = field.awake;
-    Ok((sum, parts))
+    census.parts = parts;
+    census.awake = field.awake();
+    Ok(sum)
 }
 
 fn crowd(playfield: &Playfield) -> Option<&Stepped> {

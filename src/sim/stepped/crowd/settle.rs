@@ -1,149 +1,77 @@
-//! Contacts in order of time, and those that follow from them.
+//! What happens at a contact.
 
+use crate::physics::ball::State;
 use crate::physics::laws::ball_ball::PairContact;
 use crate::sim::stepped::crowd::body::Body;
-use crate::sim::stepped::crowd::patch::{END, FAST, Patch, Role, STATIC, Stretch};
-use crate::sim::stepped::crowd::queue::{Contact, Kind};
-use crate::sim::stepped::resolve::{BOUNCES, IMPACTS};
+use crate::sim::stepped::crowd::caught::{Contact, Kind, Leg};
+use crate::sim::stepped::crowd::search::Solver;
+use crate::sim::stepped::crowd::stripe::place;
+use crate::sim::stepped::resolve::BOUNCES;
 
-impl<B: Body> Patch<B> {
-    /// Runs through the calendar.
-    pub(super) fn resolve(&mut self, stretch: &Stretch) {
-        loop {
-            let versions = &self.versions;
-            let next = self.calendar.pop(|contact| {
-                versions[contact.ball as usize] == contact.versions[0]
-                    && match contact.kind {
-                        Kind::Ball(other) => versions[other as usize] == contact.versions[1],
-                        _ => true,
-                    }
-            });
-            let Some(contact) = next else { break };
-            let (ball, time) = (contact.ball, contact.time);
-            self.happen(stretch, &contact);
-            let other = match contact.kind {
-                Kind::Ball(other) => Some(other),
-                _ => None,
-            };
-            for ball in [Some(ball), other].into_iter().flatten() {
-                self.list(stretch, ball, time);
-            }
-            for ball in [Some(ball), other].into_iter().flatten() {
-                if B::BENDS {
-                    self.find_change(stretch, ball);
-                }
-                let impacts = self.impacts[ball as usize];
-                if self.origins[ball as usize].role == Role::Own && impacts == BOUNCES {
-                    self.tally.saturated += 1;
-                }
-                if impacts > IMPACTS {
-                    continue;
-                }
-                self.scan(stretch, ball, time);
-                self.find_cushions(stretch, ball, time);
-            }
-        }
-    }
-
+impl<B: Body> Solver<'_, B> {
     /// Applies the law of a contact.
-    fn happen(&mut self, stretch: &Stretch, contact: &Contact) {
-        let (ball, laws) = (&stretch.ball, stretch.laws);
-        let i = contact.ball as usize;
-        let before = self.bodies[i].state(ball, contact.time - self.since[i]);
+    pub(super) fn happen(&mut self, contact: &Contact) {
+        let (ball, laws, time) = (&self.stretch.ball, self.stretch.laws, contact.time);
         let settled = |impacts: u32| (impacts >= BOUNCES).then_some(0.0);
-        let owns = |origin: Role| u64::from(origin == Role::Own);
-        let after = match contact.kind {
-            Kind::Change => self.bodies[i].end(ball),
+        let one = contact.ball;
+        let impacts = self.caught(one).impacts;
+        let body = self.last(one).body;
+        match contact.kind {
+            Kind::Change => {
+                let after = body.end(ball);
+                self.turn(one, &after, time, 0);
+            }
             Kind::Cushion(index) => {
-                let cushion = &stretch.table.cushions[index as usize];
-                let restitution = settled(self.impacts[i]);
-                let met = (ball, &before);
-                let rebound = laws.cushion.meet(stretch.table, cushion, met, restitution);
-                self.impacts[i] += 1;
-                self.tally.cushions += owns(self.origins[i].role);
-                laws.motion.classify(ball, rebound.state)
+                let table = self.stretch.table;
+                let met = (ball, &body.state(ball, time));
+                let cushion = &table.cushions[index as usize];
+                let rebound = laws.cushion.meet(table, cushion, met, settled(impacts));
+                self.count[1] += 1;
+                let after = laws.motion.classify(ball, rebound.state);
+                self.turn(one, &after, time, 1);
             }
             Kind::Ball(other) => {
-                let j = other as usize;
-                let second = self.bodies[j].state(ball, contact.time - self.since[j]);
-                let mut meeting = PairContact::between(&before, &second);
-                meeting.restitution = settled(self.impacts[i].max(self.impacts[j]));
-                let outcome = laws
-                    .ball_ball
-                    .collide((ball, &before), (ball, &second), &meeting);
-                self.impacts[i] += 1;
-                self.impacts[j] += 1;
-                self.tally.met += owns(self.origins[i].role) + owns(self.origins[j].role);
-                self.follow(
-                    stretch,
-                    j,
-                    &laws.motion.classify(ball, outcome.second),
-                    contact.time,
-                );
-                laws.motion.classify(ball, outcome.first)
+                let it = self.caught(other);
+                let (first, second) = if self.caught(one).number < it.number {
+                    (one, other)
+                } else {
+                    (other, one)
+                };
+                let impacts = impacts.max(it.impacts);
+                let before = [
+                    self.last(first).body.state(ball, time),
+                    self.last(second).body.state(ball, time),
+                ];
+                let mut meeting = PairContact::between(&before[0], &before[1]);
+                meeting.restitution = settled(impacts);
+                let pair = [(ball, &before[0]), (ball, &before[1])];
+                let outcome = laws.ball_ball.collide(pair[0], pair[1], &meeting);
+                self.count[0] += 1;
+                let after = laws.motion.classify(ball, outcome.first);
+                self.turn(first, &after, time, 1);
+                let after = laws.motion.classify(ball, outcome.second);
+                self.turn(second, &after, time, 1);
             }
+        }
+    }
+
+    /// Puts a caught ball on the leg that begins with this state.
+    fn turn(&mut self, id: u32, state: &State, time: f64, impacts: u32) {
+        let body = B::start(&self.stretch.laws.motion, &self.stretch.ball, state, time);
+        let stripe = &mut self.stripes[place::stripe(id) - self.base];
+        let caught = &mut stripe.caught[place::index(id)];
+        let leg = Leg {
+            body,
+            from: time,
+            before: caught.last,
         };
-        self.follow(stretch, i, &after, contact.time);
-    }
-
-    fn follow(
-        &mut self,
-        stretch: &Stretch,
-        i: usize,
-        state: &crate::physics::ball::State,
-        time: f64,
-    ) {
-        self.bodies[i] = B::start(&stretch.laws.motion, &stretch.ball, state);
-        self.since[i] = time;
-        self.versions[i] += 1;
-    }
-
-    /// Lists a ball by the middle of its new path.
-    fn list(&mut self, stretch: &Stretch, ball: u32, time: f64) {
-        let i = ball as usize;
-        let old = self.listed[i];
-        if old == FAST {
-            return;
+        if caught.last == caught.first {
+            caught.turn = time;
         }
-        self.x[i] = f64::INFINITY;
-        let left = stretch.length - time;
-        let body = &self.bodies[i];
-        let middle = body.position(0.5 * left);
-        self.middles[i] = middle;
-        let new = if Self::extent(body, 0.0, left) > self.slack {
-            FAST
-        } else {
-            self.cell(middle) as u32
-        };
-        if new == old {
-            return;
-        }
-        if old != STATIC {
-            self.strike_out(ball, old as usize);
-        }
-        self.listed[i] = new;
-        if new == FAST {
-            self.fast.push(ball);
-        } else {
-            self.next[i] = self.heads[new as usize];
-            self.heads[new as usize] = ball;
-        }
-    }
-
-    /// Takes a ball from the chain of a cell.
-    fn strike_out(&mut self, ball: u32, cell: usize) {
-        let next = self.next[ball as usize];
-        if self.heads[cell] == ball {
-            self.heads[cell] = next;
-            return;
-        }
-        let mut at = self.heads[cell];
-        while at != END {
-            if self.next[at as usize] == ball {
-                self.next[at as usize] = next;
-                return;
-            }
-            at = self.next[at as usize];
-        }
+        caught.last = stripe.legs.len() as u32;
+        caught.impacts += impacts;
+        stripe.legs.push(leg);
+        let speed = body.velocity(time).length_squared();
+        stripe.tally.speed = stripe.tally.speed.max(speed);
     }
 }

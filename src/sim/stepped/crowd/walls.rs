@@ -91,13 +91,4 @@ impl Walls {
     pub fn cushion(&self, listed: usize) -> u32 {
         self.cushions[listed]
     }
-
-    /// Whether any cushion is listed in this rectangle.
-    pub fn any(&self, least: DVec2, most: DVec2) -> bool {
-        let ([c0, r0], [c1, r1]) = (self.place(least), self.place(most));
-        (r0..=r1).any(|row| {
-            let row = row * self.columns;
-            self.first[row + c0] != self.first[row + c1 + 1]
-        })
-    }
 }

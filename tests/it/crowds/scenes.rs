@@ -1,0 +1,47 @@
+//! The built-in crowds.
+
+use masse::scenarios::library::{CROWDS, open};
+use masse::sim::stepped::crowd::Census;
+use masse::sim::stepping;
+
+#[test]
+fn every_crowd_has_a_title() {
+    for crowd in CROWDS {
+        assert!(!crowd.title().expect("a scene file").is_empty());
+    }
+}
+
+/// The rack lies in rows that touch nothing, and the blow of one ball opens it.
+#[test]
+fn a_rack_of_5050_is_opened_by_one_ball() {
+    let scene = open("rack-5050").expect("built in").scene;
+    assert_eq!(scene.balls.len(), 5051);
+    assert!(scene.solver.is_crowd());
+    let mut app = stepping::headless_app(&scene);
+    stepping::step(&mut app, 60);
+    let census = app.world().resource::<Census>().clone();
+    let still = stepping::states(&mut app)
+        .iter()
+        .filter(|state| state.motion.is_still())
+        .count();
+    assert!(
+        census.contacts_in_all > 5050 && still < 2500,
+        "{still} still, {census:?}"
+    );
+    let before = 0.5 * scene.balls[0].ball.mass * 20.0 * 20.0;
+    assert!((census.energy / before - 1.0).abs() < 1e-9, "{census:?}");
+}
+
+/// A lattice fills the table row by row with as many balls as are asked for.
+#[test]
+fn the_balls_of_the_report_lie_on_a_lattice() {
+    let scene = open("crowd-5750").expect("built in").scene;
+    assert_eq!(scene.balls.len(), 5750);
+    let rows: Vec<f64> = scene
+        .balls
+        .iter()
+        .map(|ball| ball.state.position.z)
+        .collect();
+    let pitch = scene.table.width / 76.0;
+    assert!(rows.windows(2).all(|pair| pair[1] > pair[0] - pitch));
+}
