@@ -17,7 +17,9 @@ use bevy::render::{Extract, ExtractSchedule, RenderApp};
 use bevy::shader::ShaderRef;
 
 use crate::game::watch::{Colouring, Watch};
+use crate::window::RenderQuality;
 use crate::window::crowd::pack::Packed;
+use crate::window::crowd::shade::{self, Shades};
 
 /// What all balls share in the shader.
 #[derive(ShaderType, Clone, Copy, Debug, Default, PartialEq)]
@@ -59,6 +61,7 @@ impl Material for Spheres {
 #[derive(Component)]
 pub(super) struct Cloud {
     count: usize,
+    radius: f32,
     material: Handle<Spheres>,
 }
 
@@ -93,21 +96,24 @@ fn upload(
     }
 }
 
-/// Makes the draw anew if the number of balls has changed, and takes it away with the crowd.
+/// Makes the draws anew if the number of balls has changed, and takes it away with the crowd.
+#[expect(clippy::too_many_arguments, reason = "four stores of assets")]
 pub(super) fn assemble(
     mut commands: Commands,
     mut meshes: ResMut<Assets<Mesh>>,
     mut materials: ResMut<Assets<Spheres>>,
+    mut shades: ResMut<Assets<Shades>>,
     mut buffers: ResMut<Assets<ShaderBuffer>>,
     mut packed: ResMut<Packed>,
     watch: Res<Watch>,
+    quality: Res<RenderQuality>,
     clouds: Query<(Entity, &Cloud)>,
 ) {
     let count = packed.sheet.count();
     let old = clouds.iter().next();
     let paint = Paint::of(&packed, &watch);
     if let Some((entity, cloud)) = old {
-        if cloud.count == count {
+        if cloud.count == count && cloud.radius == paint.radius {
             // Only a real change binds the material again.
             if materials
                 .get(&cloud.material)
@@ -127,19 +133,30 @@ pub(super) fn assemble(
     let contents = ShaderBuffer::new(packed.sheet.bytes(), RenderAssetUsages::RENDER_WORLD);
     let balls = buffers.add(contents);
     packed.buffer = Some(balls.id());
+    let mesh = meshes.add(triangles(count));
+    let shade = shade::of(*quality, count, mesh.clone(), || {
+        shades.add(Shades {
+            radius: paint.radius,
+            balls: balls.clone(),
+        })
+    });
     let material = materials.add(Spheres { paint, balls });
-    commands.spawn((
+    let mut cloud = commands.spawn((
         Name::new("crowd"),
         Cloud {
             count,
+            radius: paint.radius,
             material: material.clone(),
         },
-        Mesh3d(meshes.add(triangles(count))),
+        Mesh3d(mesh),
         MeshMaterial3d(material),
         Transform::default(),
         NoFrustumCulling,
         NotShadowCaster,
     ));
+    if let Some(shade) = shade {
+        cloud.with_child(shade);
+    }
 }
 
 impl Paint {

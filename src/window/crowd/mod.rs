@@ -12,6 +12,7 @@ mod pack;
 mod panel;
 mod pointer;
 mod scenes;
+mod shade;
 mod turn;
 
 use bevy::prelude::*;
@@ -35,7 +36,7 @@ pub(super) fn picture(app: &mut App) {
                 ..default()
             },
         )
-        .add_plugins(cloud::plugin)
+        .add_plugins((cloud::plugin, shade::plugin))
         .add_systems(
             RunFixedMainLoop,
             (enter, pack::pack, cloud::assemble)
@@ -68,7 +69,12 @@ pub(super) fn plugin(app: &mut App) {
                 .after(WindowSystems::Input),
         )
         .add_systems(FixedFirst, pace::start)
-        .add_systems(FixedUpdate, pace::ask.before(SimSystems::Advance))
+        .add_systems(
+            FixedUpdate,
+            pace::ask
+                .after(SimSystems::Strike)
+                .before(SimSystems::Advance),
+        )
         .add_systems(FixedLast, (pace::stop, numbers::count).chain())
         .add_systems(
             Last,

@@ -22,7 +22,7 @@ const ABSENT: u32 = u32::MAX;
 /// Balls packed by one thread at a time; fewer are not worth a second thread.
 const CHUNK: usize = 16_384;
 /// Pixels that the radius of a ball has at least on the screen where its markings are seen.
-const SEEN: f32 = 2.0;
+const SEEN: f32 = 4.0;
 /// How much hotter than the middle ball the hottest colour is.
 const HOT: f32 = 2.5;
 

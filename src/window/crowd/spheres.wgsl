@@ -136,7 +136,7 @@ fn colour_of(record: vec4<u32>, number: u32, normal: vec3<f32>, size: f32) -> ve
         }
     }
     // What turns is seen by its markings, once there are pixels enough for them.
-    if paint.marked == 1u && size > 2.0 {
+    if paint.marked == 1u && size > 4.0 {
         let at = unturned(record.w, normal);
         let soft = 1.0 / size;
         let height = abs(at.y);
@@ -144,9 +144,9 @@ fn colour_of(record: vec4<u32>, number: u32, normal: vec3<f32>, size: f32) -> ve
         if striped {
             ivory = smoothstep(-soft, soft, height - 0.5);
         } else if paint.colouring != 2u {
-            ivory = max(ivory, smoothstep(-soft, soft, 0.16 - height));
+            ivory = max(ivory, smoothstep(-soft, soft, 0.12 - height));
         }
-        colour = mix(colour, IVORY, ivory * clamp(0.5 * size - 1.0, 0.0, 1.0));
+        colour = mix(colour, IVORY, ivory * clamp(0.25 * size - 1.0, 0.0, 1.0));
     }
     return colour;
 }

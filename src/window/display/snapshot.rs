@@ -70,10 +70,8 @@ pub fn picture(
             .insert(RenderTarget::Image(to_target.clone().into()));
     });
     lay_out(app.world_mut(), scene);
-    if scene.solver.is_crowd() {
-        // A crowd is drawn as the solver leaves it: nothing moves while no time goes by.
-        app.world_mut().resource_mut::<Time<Virtual>>().pause();
-    }
+    // However long drawing takes, no time goes by on the table.
+    app.world_mut().resource_mut::<Time<Virtual>>().pause();
     app.world_mut().resource_mut::<View>().camera = camera;
     app.world_mut().write_message_batch(input.iter().copied());
     while app.plugins_state() == PluginsState::Adding {
