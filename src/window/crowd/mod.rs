@@ -13,6 +13,7 @@ mod panel;
 mod pointer;
 mod scenes;
 mod shade;
+mod sheet;
 mod turn;
 
 use bevy::prelude::*;

@@ -137,10 +137,7 @@ pub(super) fn show(
             row("of cushions", format!("{} /s", large(numbers.rates.1)));
             row("Energy", format!("{:.6} J", census.energy));
             if let Some(first) = numbers.first.filter(|first| *first > 0.0) {
-                row(
-                    "since begun",
-                    format!("{:+.2e}", census.energy / first - 1.0),
-                );
+                row("since begun", change(census.energy / first - 1.0));
             }
             row("Fastest", format!("{:.3} m/s", census.speed));
             let diameter = 2.0 * f64::from(packed.radius.max(f32::MIN_POSITIVE));
@@ -151,6 +148,15 @@ pub(super) fn show(
             }
         });
     ui.label(egui::RichText::new("Times of the solver are summed over threads.").weak());
+}
+
+/// A small change by its size, a large one in percent.
+fn change(share: f64) -> String {
+    if share.abs() < 1e-3 {
+        format!("{share:+.1e}")
+    } else {
+        format!("{:+.1} %", 1e2 * share)
+    }
 }
 
 fn pass_name(pass: Pass) -> String {
