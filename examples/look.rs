@@ -1,6 +1,6 @@
 //! Draws a racked table without a window:
-//! `cargo run --release --example look -- picture.png orbit 1280 720 turn lift zoom right away`, with turn and lift in
-//! degrees, zoom in powers of e, right and away in metres.
+//! `cargo run --release --example look -- picture.png orbit 1280 720 turn lift zoom right away scene`, with turn and lift in
+//! degrees, zoom in powers of e, right and away in metres, and another scene if one is named.
 
 use bevy::math::Vec2;
 use masse::game::view::{CameraInput, CameraMode};
@@ -8,6 +8,7 @@ use masse::physics::ball::Ball;
 use masse::physics::laws::Laws;
 use masse::physics::scene::{Rack, Scene};
 use masse::physics::table::Preset;
+use masse::scenarios::library;
 use masse::window::snapshot::picture;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -27,6 +28,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     };
     let mut scene = Scene::new(Preset::NineFoot.table(), Laws::default());
     Rack::EightBall.place(&mut scene, Ball::POOL, 0.0, 1);
+    if let Some(name) = arguments.get(9) {
+        scene = library::open(name)?.scene;
+    }
     let picture = picture(&scene, size, camera, &[input])?;
     image::save_buffer(
         word(0, "table.png"),

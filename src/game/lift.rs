@@ -31,7 +31,7 @@ pub fn raise(
     playfield: Res<Playfield>,
     balls: BallQuery,
 ) {
-    if clock.moving {
+    if clock.moving || playfield.solver.is_crowd() {
         return;
     }
     let level = Shot {

@@ -12,10 +12,12 @@ pub mod preview;
 pub mod replay;
 pub mod rules;
 pub mod saying;
+pub mod scatter;
 pub mod settings;
 pub mod target;
 pub mod view;
 pub mod volume;
+pub mod watch;
 
 use bevy::prelude::*;
 
@@ -32,6 +34,7 @@ impl Plugin for GamePlugin {
             replay::plugin,
             settings::plugin,
             view::plugin,
+            watch::plugin,
         ));
     }
 }

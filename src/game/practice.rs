@@ -156,6 +156,9 @@ fn begin(
         commands.write(PracticeCommand::Rack(practice.rack));
         return;
     }
+    if playfield.solver.is_crowd() {
+        return;
+    }
     let scene = snapshot(&playfield, &balls);
     aim.set_speed(BREAK_SPEED);
     aim_at_next(&mut aim, &scene, practice.rack);

@@ -108,6 +108,14 @@ impl BuiltIn {
         file::parse(self.text, self.name)
     }
 
+    /// Whether the scene is a crowd, without laying it out.
+    ///
+    /// # Errors
+    /// [`FileError`] as for [`scenario`](Self::scenario).
+    pub fn is_crowd(&self) -> Result<bool, FileError> {
+        file::is_crowd(self.text, self.name)
+    }
+
     /// One line about the scene.
     ///
     /// # Errors

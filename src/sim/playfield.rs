@@ -67,6 +67,13 @@ pub fn lay_out(world: &mut World, scene: &Scene) {
     for entity in old {
         world.despawn(entity);
     }
+    // Before the balls: whoever dresses them asks what they are part of.
+    world.insert_resource(Playfield {
+        table: scene.table.clone(),
+        laws: scene.laws,
+        cue: scene.cue,
+        solver: scene.solver,
+    });
     for (index, ball) in scene.balls.iter().enumerate() {
         let mut ball = ball.clone();
         ball.state = scene.laws.motion.classify(&ball.ball, ball.state);
@@ -75,12 +82,6 @@ pub fn lay_out(world: &mut World, scene: &Scene) {
             entity.insert(AngularVelocity(ball.state.angular_velocity));
         }
     }
-    world.insert_resource(Playfield {
-        table: scene.table.clone(),
-        laws: scene.laws,
-        cue: scene.cue,
-        solver: scene.solver,
-    });
     world.insert_resource(Clock::new(&scene.solver));
     world.insert_resource(Recorder::start(scene));
     if let Some(planned) = scene.shot {

@@ -5,6 +5,7 @@
 
 pub mod action;
 mod camera;
+mod crowd;
 mod display;
 mod hud;
 mod input;
@@ -98,6 +99,7 @@ impl Plugin for WindowPlugin {
                 action::plugin,
                 input::plugin,
                 shot_ui::plugin,
+                crowd::plugin,
                 hud::plugin,
                 menu::plugin,
                 sound::plugin,
@@ -114,7 +116,7 @@ fn picture(app: &mut App) {
             .chain()
             .in_set(RunFixedMainLoopSystems::AfterFixedMainLoop),
     )
-    .add_plugins((pace::plugin, camera::plugin, render::plugin));
+    .add_plugins((pace::plugin, camera::plugin, render::plugin, crowd::picture));
 }
 
 /// The plugins of the whole program on top of Bevy's own.

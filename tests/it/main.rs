@@ -6,6 +6,8 @@ mod cli;
 mod closeness;
 #[cfg(feature = "window")]
 mod controls;
+#[cfg(feature = "window")]
+mod crowd_view;
 mod crowds;
 mod cue_path;
 mod equip;

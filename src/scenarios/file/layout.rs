@@ -91,6 +91,11 @@ impl SceneFile {
         Scene::TIME_LIMIT
     }
 
+    /// Whether the solver it names works on the balls as a crowd.
+    pub(super) fn is_crowd(&self) -> bool {
+        self.solver.is_some_and(|solver| solver.is_crowd())
+    }
+
     /// The file of a scene, with every default spelled out.
     pub(super) fn of(scenario: &Scenario) -> Self {
         let scene = &scenario.scene;

@@ -180,6 +180,14 @@ pub fn title(text: &str, file: &str) -> Result<String, FileError> {
     layout(text, file).map(|layout| layout.title)
 }
 
+/// Whether the text of a scene file asks for a crowd, without laying out its scene.
+///
+/// # Errors
+/// [`FileError::Syntax`] if the text is not a scene file.
+pub fn is_crowd(text: &str, file: &str) -> Result<bool, FileError> {
+    layout(text, file).map(|layout| layout.is_crowd())
+}
+
 fn layout(text: &str, file: &str) -> Result<SceneFile, FileError> {
     spelled(text, file)
 }

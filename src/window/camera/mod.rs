@@ -11,9 +11,11 @@ use crate::game::aim::Aim;
 use crate::game::replay::Replay;
 use crate::game::settings::Settings;
 use crate::game::view::{CameraInput, View};
+use crate::game::watch::Watch;
 use crate::sim::clock::Clock;
 use crate::sim::components::{BallIndex, MotionKind, Position};
 use crate::sim::playfield::Playfield;
+use crate::sim::stepped::crowd::Crowd;
 use crate::window::WindowSystems;
 use rig::{Rig, Surroundings};
 
@@ -46,6 +48,7 @@ fn follow(
     replay: Res<Replay>,
     settings: Res<Settings>,
     playfield: Res<Playfield>,
+    (watch, crowd): (Res<Watch>, Res<Crowd>),
     balls: Query<(&BallIndex, &Position, &MotionKind)>,
     mut input: MessageReader<CameraInput>,
     mut rig: ResMut<Rig>,
@@ -55,6 +58,7 @@ fn follow(
     let size = camera
         .logical_viewport_size()
         .unwrap_or(Vec2::new(16.0, 9.0));
+    let is_crowd = playfield.solver.is_crowd();
     let ball = balls
         .iter()
         .find(|(index, _, motion)| index.0 == aim.ball && motion.0.in_play())
@@ -65,7 +69,14 @@ fn follow(
         forward: aim.shot.forward().as_vec3(),
         table: Vec2::new(playfield.table.length as f32, playfield.table.width as f32),
         aspect: (size.x / size.y.max(1.0)).clamp(0.1, 10.0),
+        is_crowd,
+        watched: watch
+            .chosen
+            .filter(|_| is_crowd && watch.follow)
+            .and_then(|number| crowd.state(number))
+            .map(|state| state.position.as_vec3()),
     };
+    rig.suit(&surroundings);
     for input in input.read() {
         rig.steer(view.camera, input);
     }
@@ -79,5 +90,6 @@ fn follow(
     **transform = Transform::from_translation(pose.eye).with_rotation(pose.rotation);
     if let Projection::Perspective(perspective) = &mut **projection {
         perspective.fov = pose.fov;
+        (perspective.near, perspective.far) = rig.depths();
     }
 }

@@ -25,6 +25,10 @@ pub(super) struct Surroundings {
     pub table: Vec2,
     /// Width of the picture over its height.
     pub aspect: f32,
+    /// Whether the balls are a crowd: its tables have any size.
+    pub is_crowd: bool,
+    /// The ball that the camera is to follow.
+    pub watched: Option<Vec3>,
 }
 
 /// What the player has set in each view, and the way from the last view.
@@ -45,6 +49,8 @@ pub(super) struct Rig {
     /// Where the camera was when the mode changed, and how much of that is left.
     from: Option<(Pose, f32)>,
     shown: Option<Pose>,
+    /// How large the table is beside a nine-foot one; 1 for every table that is played on.
+    scale: f32,
 }
 
 impl Default for Rig {
@@ -62,11 +68,34 @@ impl Default for Rig {
             mode: CameraMode::default(),
             from: None,
             shown: None,
+            scale: 1.0,
         }
     }
 }
 
 impl Rig {
+    /// Takes up the size of the table: what the player has set stays as it is beside it.
+    pub fn suit(&mut self, around: &Surroundings) {
+        let scale = if around.is_crowd {
+            (around.table.max_element() / 2.54).clamp(0.01, 1e4)
+        } else {
+            1.0
+        };
+        if scale == self.scale {
+            return;
+        }
+        let change = scale / self.scale;
+        self.scale = scale;
+        self.orbit_distance *= change;
+        self.orbit_target *= change;
+        self.overhead_shift *= change;
+    }
+
+    /// Between which distances there may be anything to see, m.
+    pub fn depths(&self) -> (f32, f32) {
+        (0.02 * self.scale.min(1.0), 60.0 * self.scale.max(1.0))
+    }
+
     /// Takes what the player asks for in the present mode.
     pub fn steer(&mut self, mode: CameraMode, input: &CameraInput) {
         let closer = libm::expf(-input.zoom.clamp(-3.0, 3.0));
@@ -76,16 +105,19 @@ impl Rig {
                 self.behind_pitch = (self.behind_pitch + input.orbit.y).clamp(0.08, 1.3);
             }
             CameraMode::Overhead => {
-                self.overhead_zoom = (self.overhead_zoom * closer).clamp(0.15, 1.5);
+                self.overhead_zoom =
+                    (self.overhead_zoom * closer).clamp(0.15 / self.scale.max(1.0), 1.5);
                 self.overhead_shift += input.pan;
             }
             CameraMode::Orbit => {
-                self.orbit_distance = (self.orbit_distance * closer).clamp(0.2, 8.0);
+                self.orbit_distance = (self.orbit_distance * closer)
+                    .clamp(0.2_f32.min(0.2 * self.scale), 8.0 * self.scale.max(1.0));
                 self.orbit_yaw = (self.orbit_yaw + input.orbit.x).rem_euclid(std::f32::consts::TAU);
                 self.orbit_pitch = (self.orbit_pitch + input.orbit.y).clamp(0.06, 1.55);
                 let away = Quat::from_rotation_y(self.orbit_yaw);
                 self.orbit_target += away * Vec3::new(input.pan.x, 0.0, -input.pan.y);
-                self.orbit_target = self.orbit_target.clamp_length_max(20.0);
+                let most = 20.0 * self.scale.max(1.0);
+                self.orbit_target = self.orbit_target.clamp_length_max(most);
             }
         }
     }
@@ -101,6 +133,12 @@ impl Rig {
             } else {
                 anchor
             });
+        }
+        if let Some(ball) = around.watched {
+            let share = 1.0 - libm::expf(-dt / EASE);
+            self.orbit_target = self.orbit_target.lerp(ball, share);
+            let shift = overhead_shift_to(around, ball);
+            self.overhead_shift = self.overhead_shift.lerp(shift, share);
         }
         if mode != self.mode {
             self.from = self.shown.map(|pose| (pose, 1.0));
@@ -146,11 +184,7 @@ impl Rig {
                 let reach = 2.0 * libm::tanf(0.5 * fov);
                 let height =
                     (high / reach).max(wide / (reach * around.aspect)) * self.overhead_zoom;
-                let (right, up) = if upright {
-                    (Vec3::Z, Vec3::X)
-                } else {
-                    (Vec3::X, Vec3::NEG_Z)
-                };
+                let (right, up) = self::upright(upright);
                 let target = self.overhead_shift.x * right + self.overhead_shift.y * up;
                 Pose::looking_at(target + height * Vec3::Y, target, up, fov)
             }
@@ -159,13 +193,28 @@ impl Rig {
                 let out = Quat::from_rotation_y(self.orbit_yaw) * Vec3::new(0.0, sin, cos);
                 let eye = self.orbit_target + self.orbit_distance * out;
                 Pose::looking_at(
-                    eye.with_y(eye.y.max(0.06)),
+                    eye.with_y(eye.y.max(0.06 * self.scale.min(1.0))),
                     self.orbit_target,
                     Vec3::Y,
                     0.75,
                 )
             }
         }
+    }
+}
+
+/// The shift that brings a point of the table to the middle of an overhead view.
+fn overhead_shift_to(around: &Surroundings, point: Vec3) -> Vec2 {
+    let (right, up) = upright(around.aspect < 1.0);
+    Vec2::new(point.dot(right), point.dot(up))
+}
+
+/// What is right and up in an overhead view of a table that lies, or stands upright.
+fn upright(upright: bool) -> (Vec3, Vec3) {
+    if upright {
+        (Vec3::Z, Vec3::X)
+    } else {
+        (Vec3::X, Vec3::NEG_Z)
     }
 }
 
@@ -183,6 +232,8 @@ mod tests {
             forward: Vec3::X,
             table: Vec2::new(2.54, 1.27),
             aspect,
+            is_crowd: false,
+            watched: None,
         }
     }
 

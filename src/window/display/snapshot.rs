@@ -70,6 +70,8 @@ pub fn picture(
             .insert(RenderTarget::Image(to_target.clone().into()));
     });
     lay_out(app.world_mut(), scene);
+    // However long drawing takes, no time goes by on the table.
+    app.world_mut().resource_mut::<Time<Virtual>>().pause();
     app.world_mut().resource_mut::<View>().camera = camera;
     app.world_mut().write_message_batch(input.iter().copied());
     while app.plugins_state() == PluginsState::Adding {

@@ -13,6 +13,7 @@ use leafwing_input_manager::prelude::ActionState;
 
 use crate::game::practice::Practice;
 use crate::game::replay::Replay;
+use crate::sim::stepped::crowd::is_crowd;
 use crate::window::WindowSystems;
 use crate::window::action::Action;
 use crate::window::page::{AddPages, Open, Page, PageId, Screen};
@@ -41,7 +42,7 @@ pub(super) fn plugin(app: &mut App) {
             EguiPrimaryContextPass,
             (
                 labels::show,
-                (status::show, replay::show)
+                (status::show.run_if(not(is_crowd)), replay::show)
                     .chain()
                     .run_if(in_state(Screen::Table)),
                 notice::show,

@@ -9,6 +9,7 @@ use crate::game::equip::Told;
 use crate::game::saying::Saying;
 use crate::physics::record::EventKind;
 use crate::sim::messages::{Failed, Struck};
+use crate::sim::playfield::Playfield;
 use crate::window::language::Language;
 
 /// How long a notice stays.
@@ -34,9 +35,19 @@ impl Notices {
 }
 
 /// Tells a new player how to begin.
-pub(super) fn welcome(mut notices: ResMut<Notices>) {
-    let english = "Drag to aim, wheel for power, Space to strike. H shows every key.";
-    notices.tell(Saying::new("notice-welcome", &[], english), false, 2 * STAY);
+pub(super) fn welcome(mut notices: ResMut<Notices>, playfield: Res<Playfield>) {
+    let (key, english) = if playfield.solver.is_crowd() {
+        (
+            "notice-crowd",
+            "Click a ball to watch it, drag to move, wheel to zoom, Space holds.",
+        )
+    } else {
+        (
+            "notice-welcome",
+            "Drag to aim, wheel for power, Space to strike. H shows every key.",
+        )
+    };
+    notices.tell(Saying::new(key, &[], english), false, 2 * STAY);
 }
 
 /// Tells of a shot that could not be followed, of a miscue, of what others have to tell, and forgets what is old.

@@ -16,6 +16,7 @@ use bevy_egui::input::{EguiWantsInput, egui_wants_any_keyboard_input};
 use leafwing_input_manager::prelude::ActionState;
 
 use crate::game::lift;
+use crate::sim::stepped::crowd::is_crowd;
 use crate::window::WindowSystems;
 use crate::window::action::Action;
 
@@ -32,25 +33,34 @@ pub(super) fn plugin(app: &mut App) {
             PreUpdate,
             (
                 (
-                    replay::command,
-                    table::command,
+                    (
+                        replay::command,
+                        table::command,
+                        keys::aim,
+                        place::by_keys,
+                        stroke::ask.run_if(not_stroking.and_then(not(replay::is_on))),
+                    )
+                        .chain()
+                        .run_if(not(is_crowd)),
                     view::switch,
-                    keys::aim,
-                    place::by_keys,
-                    stroke::ask.run_if(not_stroking.and_then(not(replay::is_on))),
                 )
                     .chain()
                     .run_if(not(egui_wants_any_keyboard_input)),
                 motion::follow,
                 drag::grip,
-                drag::wheel,
-                drag::aim,
-                drag::place,
                 drag::look,
                 view::fast_forward,
-                lift::raise,
-                stroke::by_hand,
-                stroke::swing,
+                // A crowd is watched, not played.
+                (
+                    drag::wheel,
+                    drag::aim,
+                    drag::place,
+                    lift::raise,
+                    stroke::by_hand,
+                    stroke::swing,
+                )
+                    .chain()
+                    .run_if(not(is_crowd)),
             )
                 .chain()
                 .in_set(WindowSystems::Input),

@@ -208,8 +208,9 @@ fn show(
     let ball = balls
         .iter()
         .find(|(index, _, _, motion)| index.0 == aim.ball && motion.0.in_play());
+    let is_aimed = !clock.moving && !replay.is_active() && !playfield.solver.is_crowd();
     match ball {
-        Some((_, position, radius, _)) if !clock.moving && !replay.is_active() => {
+        Some((_, position, radius, _)) if is_aimed => {
             let reach = -ADDRESS - aim.draw_back * BACKSTROKE;
             **transform = lay(&playfield.cue, position.0, radius.0, &aim.shot, reach);
             visibility.set_if_neq(Visibility::Inherited);

@@ -63,7 +63,8 @@ fn draw(
     mut ghost: Single<(&mut Transform, &mut Visibility), With<Ghost>>,
 ) {
     let (transform, visibility) = &mut *ghost;
-    let shown = view.guides && !clock.moving && !replay.is_active();
+    let is_played = !clock.moving && !replay.is_active() && !playfield.solver.is_crowd();
+    let shown = view.guides && is_played;
     let scene = shown.then(|| snapshot(&playfield, &balls));
     let guide = scene
         .as_ref()

@@ -41,6 +41,9 @@ fn draw(
     if !view.preview || clock.moving || replay.is_active() || balls.is_empty() {
         return;
     }
+    if playfield.solver.is_crowd() {
+        return;
+    }
     let table = snapshot(&playfield, &balls);
     if aim.ball >= table.balls.len() {
         return;

@@ -41,6 +41,7 @@ pub(super) fn plugin(app: &mut App) {
                     resource_exists_and_changed::<Playfield>
                         .or_else(resource_exists_and_changed::<RenderQuality>),
                 ),
+                widen.run_if(resource_exists_and_changed::<Playfield>),
             )
                 .chain()
                 .in_set(Drawing::Room),
@@ -190,10 +191,25 @@ fn walls(
         (rings(&wall, Vec3::new(0.022, 0.0185, 0.016)), glow),
     ] {
         commands.spawn((
+            Wall,
             Mesh3d(meshes.add(mesh)),
             MeshMaterial3d(materials.add(material)),
             NotShadowCaster,
         ));
+    }
+}
+
+/// The floor or the walls.
+#[derive(Component)]
+struct Wall;
+
+/// Makes the room as large as a table that would not fit into it asks; the floor stays where it is.
+fn widen(playfield: Res<Playfield>, mut walls: Query<&mut Transform, With<Wall>>) {
+    let reach = 0.5 * playfield.table.length.max(playfield.table.width) as f32;
+    let scale = (reach / 2.0).max(1.0);
+    for mut wall in &mut walls {
+        *wall = Transform::from_xyz(0.0, FLOOR as f32 * (scale - 1.0), 0.0)
+            .with_scale(Vec3::splat(scale));
     }
 }
 

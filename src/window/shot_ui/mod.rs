@@ -25,6 +25,7 @@ use crate::game::view::View;
 use crate::sim::clock::Clock;
 use crate::sim::playfield::{BallQuery, Playfield};
 use crate::sim::recorder::Recorder;
+use crate::sim::stepped::crowd::is_crowd;
 use crate::window::WindowSystems;
 use crate::window::action::{Action, Latched};
 use crate::window::language::Language;
@@ -52,9 +53,13 @@ pub(super) fn plugin(app: &mut App) {
         PreUpdate,
         toggle
             .in_set(WindowSystems::Input)
-            .run_if(not(egui_wants_any_keyboard_input)),
+            .run_if(not(egui_wants_any_keyboard_input))
+            .run_if(not(is_crowd)),
     )
-    .add_systems(EguiPrimaryContextPass, show.in_set(WindowSystems::Ui));
+    .add_systems(
+        EguiPrimaryContextPass,
+        show.in_set(WindowSystems::Ui).run_if(not(is_crowd)),
+    );
 }
 
 /// Everything the panel shows and changes.

@@ -14,6 +14,7 @@ use bevy::prelude::*;
 
 use crate::game::settings::{Marks, Settings};
 use crate::sim::components::{BallIndex, BallName, Position, Radius};
+use crate::sim::playfield::Playfield;
 use crate::window::render::Drawing;
 use crate::window::render::quality::RenderQuality;
 use globe::Looks;
@@ -73,7 +74,12 @@ fn dress(
     mut materials: ResMut<Assets<StandardMaterial>>,
     settings: Res<Settings>,
     balls: Query<(&BallIndex, &BallName, &Position, &Radius)>,
+    playfield: Res<Playfield>,
 ) {
+    if playfield.solver.is_crowd() {
+        // A crowd is drawn as a whole.
+        return;
+    }
     let Ok((index, name, position, radius)) = balls.get(added.entity) else {
         return;
     };
