@@ -18,7 +18,7 @@ const THINNEST: f64 = 0.17;
 /// Widening of a window in rad m, times one over the distance: a ball that rubs a jaw still falls.
 const RUBS: f64 = 0.003;
 
-/// Standard deviation in rad that uncertain throw adds to the direction of an object ball, for the hand of FastFiz.
+/// Standard deviation in rad that uncertain throw adds to the direction of an object ball, for the hand of `FastFiz`.
 const THROW: f64 = 0.003;
 
 /// Ways in m of the cue ball to a ball that is shot at with the cue ball in hand.
@@ -55,7 +55,7 @@ pub struct Eye {
 }
 
 impl Eye {
-    /// The eye of a player with this hand, factor times that of FastFiz, on the table of a scene.
+    /// The eye of a player with this hand, factor times that of `FastFiz`, on the table of a scene.
     #[must_use]
     pub fn new(scene: &Scene, cue: usize, factor: f64) -> Self {
         Self {

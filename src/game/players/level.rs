@@ -44,7 +44,7 @@ pub struct Level {
     pub name: &'static str,
     /// How it plays, in a sentence.
     pub about: &'static str,
-    /// What the errors of FastFiz are multiplied with, see [`Noise`].
+    /// What the errors of `FastFiz` are multiplied with, see [`Noise`].
     pub noise: f64,
     /// How it thinks.
     pub skills: Skills,
@@ -106,7 +106,7 @@ impl Level {
         Self {
             name: "Bea",
             about: "Friday nights at the bar table. Knows follow and draw, and picks the shot that leaves another.",
-            noise: 2.4,
+            noise: 2.5,
             skills: Skills {
                 budget: 400,
                 pots: 4,
@@ -128,7 +128,7 @@ impl Level {
         Self {
             name: "Lou",
             about: "League captain. Rehearses before shooting, banks when it must, and hides the cue ball when nothing goes.",
-            noise: 1.6,
+            noise: 1.5,
             skills: Skills {
                 budget: 1200,
                 pots: 5,
@@ -150,7 +150,7 @@ impl Level {
         Self {
             name: "Rosa",
             about: "Lives on the road by her cue. English, safeties and percentages.",
-            noise: 0.95,
+            noise: 0.9,
             skills: Skills {
                 budget: 2500,
                 pots: 6,

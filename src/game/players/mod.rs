@@ -9,6 +9,7 @@ pub mod aiming;
 pub mod chance;
 pub mod choosing;
 pub mod contest;
+mod finals;
 pub mod idea;
 pub mod ideas;
 pub mod level;

@@ -1,6 +1,6 @@
 //! The unsteady hand: a stroke comes out near to what was planned.
 //!
-//! Gaussian errors of tip, cue and speed, with the standard deviations of FastFiz, the simulator of the Computational Pool
+//! Gaussian errors of tip, cue and speed, with the standard deviations of `FastFiz`, the simulator of the Computational Pool
 //! Tournaments: 0.5 mm on both offsets of the tip, 0.1° on the elevation, 0.125° on the heading, 0.075 m/s on the speed,
 //! all times one factor for the skill of the hand.
 
@@ -54,7 +54,7 @@ fn normals(rng: &mut ChaCha8Rng) -> (f64, f64) {
 }
 
 impl Noise {
-    /// The hand of FastFiz times this factor; 0 never errs.
+    /// The hand of `FastFiz` times this factor; 0 never errs.
     #[must_use]
     pub fn times(factor: f64) -> Self {
         Self {

@@ -1,14 +1,13 @@
-//! Rehearsing: every idea in its variants, the finalists with errors, the shot after them.
+//! Screening: every idea is rehearsed in its variants.
 
 use crate::game::players::aiming;
 use crate::game::players::chance::Lane;
 use crate::game::players::idea::{Idea, Kind, Line};
-use crate::game::players::ideas::View;
 use crate::game::players::plan::Plan;
-use crate::game::players::sight::Sight;
+use crate::game::players::rehearsal::Rehearsal;
 use crate::game::players::thinking::Thinking;
 use crate::game::players::worth::worth;
-use crate::game::rules::{Call, GameState};
+use crate::game::rules::{Call, GameState, Verdict};
 use crate::physics::cue::Shot;
 use crate::physics::scene::Scene;
 
@@ -47,27 +46,22 @@ const CAROM_TIPS: [(f64, f64); 7] = [
 /// Speed of a plain stroke in m/s.
 const PLAIN: f64 = 1.8;
 
-/// Pots that are tried on a table ahead, their speeds in m/s and heights in R.
-const AHEAD_POTS: usize = 2;
-const AHEAD_SPEEDS: [f64; 2] = [1.0, 1.9];
-const AHEAD_HEIGHTS: [f64; 3] = [0.0, 0.3, -0.3];
-
 /// What a rehearsal led to.
 #[derive(Clone, Debug)]
-struct Outcome {
+pub(super) struct Outcome {
     /// Against no rule.
-    clean: bool,
+    pub(super) clean: bool,
     /// The turn is kept, or the rack is won.
-    good: bool,
+    pub(super) good: bool,
     /// Probability of winning afterwards.
-    value: f64,
+    pub(super) value: f64,
     /// The game and the table afterwards; absent if it is over or nobody wants to know.
-    next: Option<(GameState, Scene)>,
+    pub(super) next: Option<(GameState, Scene)>,
 }
 
 impl Thinking {
     /// Plays a shot on the table in the mind and has the rules judge it.
-    fn rehearse(&mut self, call: &Call, shot: &Shot, keep: bool) -> Option<Outcome> {
+    pub(super) fn rehearse(&mut self, call: &Call, shot: &Shot, keep: bool) -> Option<Outcome> {
         let state = &self.state;
         rehearse(
             self.player,
@@ -90,13 +84,13 @@ impl Thinking {
                 clean,
                 good: clean && mine,
                 value,
-                next: (keep && over.is_none()).then(|| (verdict.next, table)),
+                next: (keep && over.is_none()).then_some((verdict.next, table)),
             }
         })
     }
 
     /// Lays the table for an idea or a plan.
-    fn lay(&mut self, spot: Option<glam::DVec2>) {
+    pub(super) fn lay(&mut self, spot: Option<glam::DVec2>) {
         self.rehearsal.lay(&self.lies);
         if let Some(spot) = spot {
             self.rehearsal.put(self.on.cue, spot);
@@ -194,8 +188,8 @@ impl Thinking {
         for speed in SAFE_SPEEDS.into_iter().take(2 + variants) {
             for height in SAFE_HEIGHTS.into_iter().take(variants) {
                 let shot = Shot {
-                    speed,
                     height,
+                    speed,
                     ..raised
                 };
                 let Some(outcome) = self.rehearse(&idea.call, &shot, false) else {
@@ -350,129 +344,17 @@ impl Thinking {
             self.note(idea, shot, value, chance);
         }
     }
-
-    /// Rehearses a finalist with the errors of the own hand: its value is the mean.
-    pub(super) fn sample(&mut self, index: usize) {
-        let samples = self.level.skills.samples;
-        let (value, chance) = self.mean(index, samples, false);
-        let plan = &mut self.plans[index];
-        plan.value = value;
-        plan.chance = chance;
-    }
-
-    /// The same, with the shot after it planned too.
-    pub(super) fn look_ahead(&mut self, index: usize) {
-        let (value, _) = self.mean(index, self.level.skills.ahead, true);
-        self.plans[index].value = value;
-    }
-
-    fn mean(&mut self, index: usize, samples: usize, ahead: bool) -> (f64, f64) {
-        let plan = self.plans[index];
-        let radius = self.lies.balls[self.on.cue].ball.radius;
-        let hand = self.level.hand();
-        let (mut value, mut worked, mut count) = (0.0, 0, 0);
-        for i in 0..samples {
-            self.lay(plan.spot);
-            let off = hand.apply(&self.deviations[i], &plan.shot, radius);
-            let Some(outcome) = self.rehearse(&plan.call, &off, ahead) else {
-                continue;
-            };
-            count += 1;
-            worked += i32::from(if plan.kind == Kind::Safety || plan.kind == Kind::Kick {
-                outcome.clean
-            } else {
-                outcome.good
-            });
-            value += match &outcome.next {
-                Some((state, scene)) if outcome.good => {
-                    self.best_next(state, scene).max(outcome.value)
-                }
-                _ => outcome.value,
-            };
-        }
-        if count == 0 {
-            return (0.0, 0.0);
-        }
-        let count = f64::from(count);
-        (value / count, f64::from(worked) / count)
-    }
-
-    /// The worth of a table on which the turn goes on, with the next pot rehearsed.
-    fn best_next(&mut self, state: &GameState, scene: &Scene) -> f64 {
-        let on = state.targets(scene);
-        let sight = Sight::of(scene);
-        let Some(cue) = sight.ball(on.cue).copied().filter(|_| on.in_hand.is_none()) else {
-            return 0.0;
-        };
-        let view = View {
-            sight: &sight,
-            eye: &self.eye,
-            on: &on,
-            cue,
-            spot: None,
-            skills: &self.level.skills,
-        };
-        let pots = view.pots();
-        let passed = self
-            .race
-            .after(crate::game::players::worth::to_go(
-                &self.race, state, scene, &on,
-            ))
-            .1;
-        self.rehearsal.lay(scene);
-        let mut best = 0.0_f64;
-        for idea in pots.iter().take(AHEAD_POTS) {
-            let Line::Send(lane) = idea.line else {
-                continue;
-            };
-            let ghost = aiming::ghost_heading(scene, on.cue, &lane);
-            for height in AHEAD_HEIGHTS {
-                for speed in AHEAD_SPEEDS {
-                    let mut shot = aiming::raised(
-                        scene,
-                        on.cue,
-                        &Shot {
-                            heading: ghost,
-                            elevation: 0.0,
-                            side: 0.0,
-                            height,
-                            speed,
-                        },
-                    );
-                    let Some(heading) = aiming::heading(&mut self.rehearsal, on.cue, &lane, &shot)
-                    else {
-                        continue;
-                    };
-                    shot.heading = heading;
-                    let played = rehearse(
-                        self.player,
-                        &mut self.rehearsal,
-                        state,
-                        on.cue,
-                        &idea.call,
-                        &shot,
-                    );
-                    let Some((verdict, table)) = played else {
-                        continue;
-                    };
-                    let then = worth(&self.race, &self.eye, &verdict.next, &table, self.player);
-                    best = best.max(idea.chance * then + (1.0 - idea.chance) * passed);
-                }
-            }
-        }
-        best
-    }
 }
 
 /// Plays a shot on a table in the mind; gives the verdict and the table afterwards.
-fn rehearse(
+pub(super) fn rehearse(
     player: usize,
-    rehearsal: &mut crate::game::players::rehearsal::Rehearsal,
+    rehearsal: &mut Rehearsal,
     state: &GameState,
     cue: usize,
     call: &Call,
     shot: &Shot,
-) -> Option<(crate::game::rules::Verdict, Scene)> {
+) -> Option<(Verdict, Scene)> {
     debug_assert_eq!(state.standing.turn, player);
     let (before, record) = rehearsal.play(cue, shot)?;
     let verdict = state.judge(before, record, call);

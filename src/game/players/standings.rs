@@ -1,5 +1,7 @@
 //! What comes out of a tournament: win rates with their uncertainty.
 
+use std::fmt::Write;
+
 use serde::Serialize;
 
 use crate::game::players::contest::{Rack, Tally};
@@ -158,8 +160,9 @@ impl Standings {
         for pairing in &self.pairings {
             let [strong, weak] = &pairing.sides;
             let (rate, low, high) = pairing.rate();
-            text += &format!(
-                "{:<10} {:<10} {:>4} {:>5} {:>6} {:>8.1} %  {:.1} to {:.1} %\n",
+            let _ = writeln!(
+                text,
+                "{:<10} {:<10} {:>4} {:>5} {:>6} {:>8.1} %  {:.1} to {:.1} %",
                 strong.level,
                 weak.level,
                 strong.won,
@@ -174,8 +177,9 @@ impl Standings {
         for pairing in &self.pairings {
             for (side, other) in [(0, 1), (1, 0)] {
                 let (side, other) = (&pairing.sides[side], &pairing.sides[other]);
-                text += &format!(
-                    "{:<10} {:<10} {:>7} {:>18.3} {:>7.3} {:>6.3} {:>25.0} {:>5}\n",
+                let _ = writeln!(
+                    text,
+                    "{:<10} {:<10} {:>7} {:>18.3} {:>7.3} {:>6.3} {:>25.0} {:>5}",
                     side.level,
                     other.level,
                     side.shots,
@@ -189,7 +193,7 @@ impl Standings {
         }
         let unfinished: u32 = self.pairings.iter().map(|pairing| pairing.unfinished).sum();
         if unfinished > 0 {
-            text += &format!("\n{unfinished} racks did not come to an end.\n");
+            let _ = write!(text, "\n{unfinished} racks did not come to an end.\n");
         }
         text
     }

@@ -131,7 +131,7 @@ impl Thinking {
         match self.stage {
             Stage::Screen => match self.ideas.pop_front() {
                 Some(idea) if self.has_budget(SCREENED) || self.plans.is_empty() => {
-                    self.screen(&idea)
+                    self.screen(&idea);
                 }
                 _ => self.end_screening(),
             },

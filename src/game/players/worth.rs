@@ -74,9 +74,7 @@ impl Race {
         for n in 1..side {
             shared[n] = (r * shared[n - 1] + s) / (1.0 + s);
         }
-        for m in 0..side {
-            own[m] = 1.0;
-        }
+        own[..side].fill(1.0);
         for n in 1..side {
             for m in 1..=n {
                 let after = |n: usize, m: usize| r * own[(n - 1) * side + m];
