@@ -11,6 +11,7 @@ mod sensitivity;
 mod share;
 mod simulate;
 mod solve;
+mod tournament;
 mod write;
 
 pub use play::fallback;
@@ -34,6 +35,7 @@ use report::ReportOptions;
 use run::RunOptions;
 use sensitivity::SensitivityOptions;
 use solve::SolveOptions;
+use tournament::TournamentOptions;
 
 /// Massé: a billiards game and simulator.
 #[derive(Parser, Debug)]
@@ -54,6 +56,7 @@ use solve::SolveOptions;
         masse run my.ron --solver stepped --tick 0.001 --out my.jsonl\n  \
         masse picture my.jsonl my.svg                draw a run that was written, without running it again\n  \
         masse write gas gas.ron                      write a scene out in full, to change it\n  \
+        masse tournament --racks 20                  computer against computer\n  \
         masse judge                                  every law beside closed forms and experiments\n  \
         masse report --quick                         what each solver costs, and how far it is off\n  \
         masse write snooker my-table.ron             copy a preset, with the sources of its numbers\n  \
@@ -105,6 +108,8 @@ enum Command {
     Judge(JudgeOptions),
     /// Measure speed against error of every solver: tables and pictures
     Report(ReportOptions),
+    /// Let the computer opponents play each other: win rates, pots, fouls, thought
+    Tournament(TournamentOptions),
     /// Name the scenes, presets and cloths that are built in
     List,
     /// Name the games, or print the options of one and the code that they come from
@@ -200,6 +205,7 @@ pub fn main() -> ExitCode {
         Some(Command::Picture(options)) => picture::draw(&options).map(|()| ExitCode::SUCCESS),
         Some(Command::Judge(options)) => judge::run(&options),
         Some(Command::Report(options)) => report::run(&options),
+        Some(Command::Tournament(options)) => tournament::run(&options).map(|()| ExitCode::SUCCESS),
         Some(Command::List) => list::list().map(|()| ExitCode::SUCCESS),
         Some(Command::Rules { game }) => rules::rules(game.as_deref()).map(|()| ExitCode::SUCCESS),
         Some(Command::Write { name, file }) => {

@@ -7,6 +7,7 @@ pub mod history;
 pub mod lift;
 pub mod matches;
 pub mod placing;
+pub mod players;
 pub mod practice;
 pub mod preview;
 pub mod replay;

@@ -23,6 +23,7 @@ mod live_exact;
 mod matches;
 #[cfg(feature = "window")]
 mod menu;
+mod players;
 mod practice;
 mod presets;
 mod properties;
