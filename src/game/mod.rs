@@ -14,6 +14,7 @@ pub mod rules;
 pub mod saying;
 pub mod settings;
 pub mod target;
+pub mod turns;
 pub mod view;
 pub mod volume;
 
@@ -31,6 +32,7 @@ impl Plugin for GamePlugin {
             practice::plugin,
             replay::plugin,
             settings::plugin,
+            turns::plugin,
             view::plugin,
         ));
     }

@@ -32,5 +32,6 @@ mod scene_files;
 mod schedules;
 mod settings;
 mod speed_report;
+mod turns;
 #[cfg(feature = "window")]
 mod window;
