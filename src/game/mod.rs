@@ -16,6 +16,7 @@ pub mod saying;
 pub mod scatter;
 pub mod settings;
 pub mod target;
+pub mod turns;
 pub mod view;
 pub mod volume;
 pub mod watch;
@@ -34,6 +35,7 @@ impl Plugin for GamePlugin {
             practice::plugin,
             replay::plugin,
             settings::plugin,
+            turns::plugin,
             view::plugin,
             watch::plugin,
         ));

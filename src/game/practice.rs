@@ -8,6 +8,7 @@ use glam::DVec2;
 
 use crate::game::aim::Aim;
 use crate::game::history::History;
+use crate::game::turns::Turns;
 use crate::game::{placing, target};
 use crate::physics::ball::Motion;
 use crate::physics::cue::Shot;
@@ -87,6 +88,7 @@ impl Practice {
 
 pub(super) fn plugin(app: &mut App) {
     app.init_resource::<Practice>()
+        .init_resource::<Turns>()
         .add_message::<PracticeCommand>()
         .add_systems(PostStartup, begin)
         .add_systems(
@@ -101,7 +103,9 @@ pub(super) fn plugin(app: &mut App) {
                 (
                     keep.run_if(on_message::<Struck>),
                     settle.run_if(on_message::<AtRest>),
-                    recover.run_if(on_message::<Failed>),
+                    recover
+                        .run_if(on_message::<Failed>)
+                        .run_if(|turns: Res<Turns>| !turns.is_on()),
                 )
                     .chain()
                     .in_set(SimSystems::Judge),
@@ -172,7 +176,7 @@ pub(super) fn aim_at_next(aim: &mut Aim, scene: &Scene, rack: Rack) {
 }
 
 /// What a ball is put down with.
-type Placed<'w, 's> = Query<
+pub(super) type Placed<'w, 's> = Query<
     'w,
     's,
     (
@@ -272,7 +276,7 @@ fn recover(mut failed: MessageReader<Failed>, mut commands: MessageWriter<Practi
 }
 
 /// Writes the place of one ball of a scene to the world, at rest. The record of the last shot stays.
-fn put_down(balls: &mut Placed, scene: &Scene, ball: usize) {
+pub(super) fn put_down(balls: &mut Placed, scene: &Scene, ball: usize) {
     for (index, mut position, mut velocity, spin, mut motion) in balls.iter_mut() {
         if index.0 == ball {
             position.0 = scene.balls[ball].state.position;
@@ -320,7 +324,7 @@ fn keep(
 
 /// After a shot: a pocketed cue ball comes back to the head spot, and the cue points at the next ball unless the player
 /// has aimed meanwhile.
-fn settle(
+pub(super) fn settle(
     mut practice: ResMut<Practice>,
     mut aim: ResMut<Aim>,
     playfield: Res<Playfield>,

@@ -151,7 +151,7 @@ type Balls<'w, 's> = Query<
 >;
 
 /// A stroke, a new scene or a change of the table ends the replay: the table is put back first.
-fn leave(
+pub(super) fn leave(
     mut replay: ResMut<Replay>,
     mut balls: Balls,
     mut strikes: MessageReader<Strike>,

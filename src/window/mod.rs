@@ -10,6 +10,7 @@ mod display;
 mod hud;
 mod input;
 pub mod language;
+mod match_ui;
 mod menu;
 mod pace;
 pub mod page;
@@ -29,7 +30,9 @@ use bevy::prelude::*;
 use bevy_egui::{EguiPlugin, EguiPreUpdateSet, EguiPrimaryContextPass};
 use leafwing_input_manager::plugin::InputManagerSystem;
 
+use crate::game::matches::Store;
 use crate::game::settings::{SettingsFile, file};
+use crate::game::turns::MatchStore;
 use crate::game::{GamePlugin, practice};
 use crate::scenarios::file::Scenario;
 use crate::sim::SimPlugin;
@@ -101,6 +104,7 @@ impl Plugin for WindowPlugin {
                 shot_ui::plugin,
                 crowd::plugin,
                 hud::plugin,
+                match_ui::plugin,
                 menu::plugin,
                 sound::plugin,
                 preset::plugin,
@@ -147,6 +151,7 @@ pub fn play(scenario: Option<Scenario>, source: Option<Source>) -> Result<AppExi
         let mut app = App::new();
         app.insert_resource(quality)
             .insert_resource(SettingsFile(file::place()))
+            .insert_resource(MatchStore(Store::of_platform()))
             .add_plugins(engine())
             .add_plugins(windowed());
         app

@@ -37,5 +37,6 @@ mod scene_files;
 mod schedules;
 mod settings;
 mod speed_report;
+mod turns;
 #[cfg(feature = "window")]
 mod window;

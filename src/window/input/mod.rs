@@ -16,6 +16,7 @@ use bevy_egui::input::{EguiWantsInput, egui_wants_any_keyboard_input};
 use leafwing_input_manager::prelude::ActionState;
 
 use crate::game::lift;
+use crate::game::turns::may_strike;
 use crate::sim::stepped::crowd::is_crowd;
 use crate::window::WindowSystems;
 use crate::window::action::Action;
@@ -36,9 +37,11 @@ pub(super) fn plugin(app: &mut App) {
                     (
                         replay::command,
                         table::command,
-                        keys::aim,
+                        keys::aim.run_if(may_strike),
                         place::by_keys,
-                        stroke::ask.run_if(not_stroking.and_then(not(replay::is_on))),
+                        stroke::ask
+                            .run_if(not_stroking.and_then(not(replay::is_on)))
+                            .run_if(may_strike),
                     )
                         .chain()
                         .run_if(not(is_crowd)),
@@ -53,7 +56,7 @@ pub(super) fn plugin(app: &mut App) {
                 // A crowd is watched, not played.
                 (
                     drag::wheel,
-                    drag::aim,
+                    drag::aim.run_if(may_strike),
                     drag::place,
                     lift::raise,
                     stroke::by_hand,

@@ -1,0 +1,229 @@
+//! The score above the table, and below it whatever the player at the table may say or choose.
+
+use bevy::prelude::*;
+use bevy_egui::{EguiContexts, egui};
+
+use crate::game::matches::{Match, Phase};
+use crate::game::replay::Replay;
+use crate::game::rules::{Call, CallNeeded};
+use crate::game::turns::{TurnCommand, Turns};
+use crate::window::language::Language;
+use crate::window::match_ui::call::Pointing;
+use crate::window::match_ui::report;
+use crate::window::page::Open;
+
+/// Lays out the score.
+pub(super) fn show(
+    mut contexts: EguiContexts,
+    language: Res<Language>,
+    turns: Res<Turns>,
+    replay: Res<Replay>,
+    mut pointing: ResMut<Pointing>,
+    mut open: ResMut<Open>,
+    mut commands: MessageWriter<TurnCommand>,
+) -> Result {
+    let Some(game) = turns.game() else {
+        return Ok(());
+    };
+    let context = contexts.ctx_mut()?;
+    egui::Area::new(egui::Id::new("score"))
+        .anchor(egui::Align2::CENTER_TOP, egui::vec2(0.0, 8.0))
+        .show(context, |ui| {
+            egui::Frame::popup(ui.style()).show(ui, |ui| {
+                ui.vertical_centered(|ui| {
+                    score(ui, game, &language);
+                    if replay.is_active() {
+                        return;
+                    }
+                    match turns.phase() {
+                        None => {}
+                        Some(Phase::Play) if turns.is_computers() => {
+                            thought(ui, &turns, &language, &mut commands);
+                        }
+                        Some(Phase::Choose) if turns.is_computers() => {}
+                        Some(Phase::Play) => {
+                            before_the_stroke(ui, game, &language, &mut pointing, &mut commands);
+                        }
+                        Some(Phase::Choose) => {
+                            ui.horizontal_wrapped(|ui| {
+                                for choice in &game.state().standing.choices {
+                                    if ui.button(choice.label()).clicked() {
+                                        commands.write(TurnCommand::Choose(*choice));
+                                    }
+                                }
+                            });
+                        }
+                        Some(Phase::RackOver) => {
+                            if ui.button(language.text("match-next-rack")).clicked() {
+                                commands.write(TurnCommand::NextRack);
+                            }
+                        }
+                        Some(Phase::Over { winner }) => {
+                            let name = winner.and_then(|i| game.setup().players.get(i));
+                            let text = match name {
+                                Some(player) => language
+                                    .with("match-won", &[("name", player.name.as_str().into())]),
+                                None => language.text("match-drawn").to_owned(),
+                            };
+                            ui.strong(text);
+                            ui.horizontal(|ui| {
+                                if ui.button(language.text("match-report")).clicked() {
+                                    open.go(report::PAGE);
+                                }
+                                if ui.button(language.text("match-leave")).clicked() {
+                                    commands.write(TurnCommand::Leave);
+                                }
+                            });
+                        }
+                    }
+                });
+            });
+        });
+    Ok(())
+}
+
+/// Names, racks, points; who is at the table stands out.
+fn score(ui: &mut egui::Ui, game: &Match, language: &Language) {
+    let standing = &game.state().standing;
+    let racks = game.racks_won();
+    let points = game.setup().game.rules().counts_points();
+    ui.horizontal(|ui| {
+        for (index, player) in game.setup().players.iter().enumerate() {
+            if index > 0 {
+                ui.separator();
+            }
+            let mut text = format!("{}  {}", player.name, racks[index]);
+            if points {
+                text += &format!("  ({})", standing.scores[index]);
+            }
+            let text = egui::RichText::new(text);
+            let at_table = index == standing.turn && standing.over.is_none();
+            if at_table {
+                ui.label(text.strong().underline());
+            } else {
+                ui.label(text);
+            }
+        }
+        ui.separator();
+        let race = game.setup().race;
+        ui.weak(language.with("match-race-to", &[("racks", race.into())]));
+    });
+    if standing.over.is_none() {
+        let (table, on) = (game.table(), game.targets());
+        let mut names: Vec<&str> = on
+            .first
+            .iter()
+            .map(|ball| table.balls[*ball].name.as_str())
+            .collect();
+        names.dedup_by_key(|name| name.split(' ').next());
+        if !names.is_empty() && names.len() < 16 {
+            let balls = names.join(", ");
+            ui.weak(language.with("match-on", &[("balls", balls.into())]));
+        }
+    }
+}
+
+/// A computer player thinks.
+fn thought(
+    ui: &mut egui::Ui,
+    turns: &Turns,
+    language: &Language,
+    commands: &mut MessageWriter<TurnCommand>,
+) {
+    ui.horizontal(|ui| {
+        let progress = turns.progress();
+        let share = progress.map_or(1.0, |progress| progress.share as f32);
+        ui.add(egui::ProgressBar::new(share).desired_width(120.0));
+        if let Some(best) = progress.and_then(|progress| progress.best) {
+            let percent = format!("{:.0} %", 100.0 * best.chance);
+            ui.weak(language.with("match-sees", &[("chance", percent.into())]));
+        }
+        if ui.button(language.text("match-hurry")).clicked() {
+            commands.write(TurnCommand::Hurry);
+        }
+    });
+}
+
+/// What a person may call, and that the cue ball is in hand.
+fn before_the_stroke(
+    ui: &mut egui::Ui,
+    game: &Match,
+    language: &Language,
+    pointing: &mut Pointing,
+    commands: &mut MessageWriter<TurnCommand>,
+) {
+    let on = game.targets();
+    let table = game.table();
+    if on.in_hand.is_some() {
+        ui.label(language.text("match-in-hand"));
+    }
+    let called = game.called();
+    ui.horizontal_wrapped(|ui| {
+        if on.call_needed != CallNeeded::No {
+            ui.toggle_value(&mut pointing.on, language.text("match-call"));
+            let said = match called {
+                Call::Pot { ball, pocket } => format!(
+                    "{} → {}",
+                    table.balls[ball].name, table.table.pockets[pocket].name
+                ),
+                Call::Nominate { ball } => table.balls[ball].name.clone(),
+                _ => String::new(),
+            };
+            ui.strong(said);
+        }
+        let mut say = |ui: &mut egui::Ui, call: Call, key: &str| {
+            if ui
+                .selectable_label(called == call, language.text(key))
+                .clicked()
+            {
+                let call = if called == call { Call::Nothing } else { call };
+                commands.write(TurnCommand::Call(call));
+            }
+        };
+        if on.may_call_safety {
+            say(ui, Call::Safety, "match-safety");
+        }
+        if on.may_push_out {
+            say(ui, Call::PushOut, "match-push-out");
+        }
+    });
+    if pointing.on && on.call_needed != CallNeeded::No {
+        chosen_by_name(ui, game, pointing, commands);
+        ui.weak(language.text("match-call-hint"));
+    }
+}
+
+/// The same call without pointing: balls and pockets by their names.
+fn chosen_by_name(
+    ui: &mut egui::Ui,
+    game: &Match,
+    pointing: &mut Pointing,
+    commands: &mut MessageWriter<TurnCommand>,
+) {
+    let (on, table) = (game.targets(), game.table());
+    ui.horizontal_wrapped(|ui| {
+        for ball in &on.pot {
+            let chosen = pointing.ball == Some(*ball);
+            if ui
+                .selectable_label(chosen, &table.balls[*ball].name)
+                .clicked()
+            {
+                pointing.ball = Some(*ball);
+            }
+        }
+    });
+    if on.call_needed == CallNeeded::BallAndPocket {
+        ui.horizontal_wrapped(|ui| {
+            for pocket in &on.pockets {
+                let chosen = pointing.pocket == Some(*pocket);
+                let name = &table.table.pockets[*pocket].name;
+                if ui.selectable_label(chosen, name).clicked() {
+                    pointing.pocket = Some(*pocket);
+                }
+            }
+        });
+    }
+    if let Some(call) = pointing.take_call(on.call_needed) {
+        commands.write(TurnCommand::Call(call));
+    }
+}
