@@ -172,17 +172,16 @@ pub(super) fn play(
         return;
     };
     let Some(computer) = &mut turns.computer else {
-        turns.computer = Some(match level {
-            Some(level) => AtTheCue::think(session.game(), level),
-            None => {
-                let name = level_name(session.game()).unwrap_or_default();
-                news.write(TurnNews::Failed(format!(
-                    "there is no computer player called `{name}`"
-                )));
-                AtTheCue {
-                    stage: Stage::Stuck,
-                    shared: Arc::default(),
-                }
+        turns.computer = Some(if let Some(level) = level {
+            AtTheCue::think(session.game(), level)
+        } else {
+            let name = level_name(session.game()).unwrap_or_default();
+            news.write(TurnNews::Failed(format!(
+                "there is no computer player called `{name}`"
+            )));
+            AtTheCue {
+                stage: Stage::Stuck,
+                shared: Arc::default(),
             }
         });
         return;

@@ -4,7 +4,7 @@ use bevy::prelude::*;
 use glam::DVec2;
 
 use crate::game::aim::Aim;
-use crate::game::matches::{Phase, Refused, Session};
+use crate::game::matches::{Match, Mind, Phase, PlayedShot, Refused, Session};
 use crate::game::placing;
 use crate::game::practice::{BREAK_SPEED, Placed, PracticeCommand, put_down};
 use crate::game::replay::{Playback, Replay};
@@ -100,15 +100,13 @@ pub(super) fn obey(
         let turns = &mut *turns;
         let before = turns.game().map(|game| (game.rack(), game.shots().len()));
         match command {
-            TurnCommand::Begin { setup, like } => {
-                match crate::game::matches::Match::new((**setup).clone(), like) {
-                    Ok(game) => begin(turns, Session::new(game, store.0.clone()), &mut news),
-                    Err(refused) => {
-                        news.write(TurnNews::Refused(refused));
-                        continue;
-                    }
+            TurnCommand::Begin { setup, like } => match Match::new((**setup).clone(), like) {
+                Ok(game) => begin(turns, Session::new(game, store.0.clone()), &mut news),
+                Err(refused) => {
+                    news.write(TurnNews::Refused(refused));
+                    continue;
                 }
-            }
+            },
             TurnCommand::Resume => {
                 let Some(store) = store.0.clone() else {
                     news.write(TurnNews::Failed("matches are not saved here".to_owned()));
@@ -205,13 +203,13 @@ fn ask(
                 choice: *choice,
             });
         }
-        TurnCommand::NextRack => session.input(|game| game.next_rack())?,
-        TurnCommand::Concede => session.input(|game| game.concede())?,
+        TurnCommand::NextRack => session.input(Match::next_rack)?,
+        TurnCommand::Concede => session.input(Match::concede)?,
         TurnCommand::Undo => {
             let shots = session.game().shots();
-            let persons = |shot: &crate::game::matches::PlayedShot| {
+            let persons = |shot: &PlayedShot| {
                 let player = session.game().setup().players.get(shot.player());
-                player.is_some_and(|player| player.mind == crate::game::matches::Mind::Person)
+                player.is_some_and(|player| player.mind == Mind::Person)
             };
             let back = shots.iter().rev().position(persons).map_or(1, |at| at + 1);
             session.input(|game| game.undo(back))?;

@@ -58,7 +58,7 @@ pub(super) fn arrive(
         }
         Err(text) => {
             commands.write_message(Told {
-                text,
+                text: text.into(),
                 is_failure: true,
             });
         }

@@ -7,7 +7,7 @@ use crate::game::matches::{Breaks, Mind, Player, Setup};
 use crate::game::players::Level;
 use crate::game::rules::Game;
 use crate::game::turns::{MatchStore, TurnCommand, TurnNews, Turns};
-use crate::physics::scene::Solver;
+use crate::physics::scene::{Scene, Solver};
 use crate::scenarios::preset;
 use crate::sim::playfield::{BallQuery, Playfield, snapshot};
 use crate::window::language::Language;
@@ -15,6 +15,8 @@ use crate::window::page::{AddPages, Open, Page, PageId};
 
 /// Most racks that win a match.
 const LONGEST: u32 = 25;
+/// Tables from this length in m on are snooker tables.
+const LONGEST_POOL_TABLE: f64 = 3.0;
 
 /// The page.
 const PAGE: PageId = PageId("match");
@@ -56,6 +58,43 @@ pub(super) fn plugin(app: &mut App) {
         },
         show,
     );
+}
+
+/// What a match is played with: the table that is there, if the game is played on such a one; else the game's own.
+fn equipment(setup: &Setup, here: Scene) -> Result<Scene, String> {
+    let wanted = setup.game.rules().code().equipment;
+    let fits = wanted == "pool"
+        && setup.check(&here.table).is_ok()
+        && here.table.length < LONGEST_POOL_TABLE
+        && !here.solver.is_crowd()
+        && here.laws.motion.is_closed_form();
+    if fits {
+        return Ok(Scene {
+            solver: Solver::Exact,
+            ..here
+        });
+    }
+    let preset = preset::open(wanted).map_err(|error| error.to_string())?;
+    Ok(preset.equipment.scene())
+}
+
+/// What both agree on besides the players.
+fn terms(ui: &mut egui::Ui, draft: &mut Draft, language: &Language) {
+    ui.add_space(6.0);
+    ui.horizontal_wrapped(|ui| {
+        ui.label(language.text("match-race"));
+        ui.add(egui::DragValue::new(&mut draft.race).range(1..=LONGEST));
+        ui.label(language.text("match-breaks"));
+        for (breaks, key) in [
+            (Breaks::Alternate, "match-breaks-alternate"),
+            (Breaks::Winner, "match-breaks-winner"),
+            (Breaks::Loser, "match-breaks-loser"),
+        ] {
+            ui.selectable_value(&mut draft.breaks, breaks, language.text(key));
+        }
+    });
+    ui.checkbox(&mut draft.undo, language.text("match-undo"));
+    ui.add_space(8.0);
 }
 
 /// The name of a player: the one typed, or what everybody is called.
@@ -121,21 +160,7 @@ fn show(
             }
         });
     }
-    ui.add_space(6.0);
-    ui.horizontal_wrapped(|ui| {
-        ui.label(language.text("match-race"));
-        ui.add(egui::DragValue::new(&mut draft.race).range(1..=LONGEST));
-        ui.label(language.text("match-breaks"));
-        for (breaks, key) in [
-            (Breaks::Alternate, "match-breaks-alternate"),
-            (Breaks::Winner, "match-breaks-winner"),
-            (Breaks::Loser, "match-breaks-loser"),
-        ] {
-            ui.selectable_value(&mut draft.breaks, breaks, language.text(key));
-        }
-    });
-    ui.checkbox(&mut draft.undo, language.text("match-undo"));
-    ui.add_space(8.0);
+    terms(ui, draft, &language);
     ui.horizontal(|ui| {
         if ui.button(language.text("match-begin")).clicked() {
             draft.begun += 1;
@@ -157,22 +182,7 @@ fn show(
                 seed: time.elapsed().as_nanos() as u64 ^ draft.begun.rotate_left(40),
                 undo: draft.undo,
             };
-            // The table that is there, if the game is played on such a one with so large balls; else the game's own.
-            let here = snapshot(&playfield, &balls);
-            let fits = setup.check(&here.table).is_ok()
-                && !here.solver.is_crowd()
-                && here.laws.motion.is_closed_form()
-                && game.rules().code().equipment == "pool"
-                && here.table.length < 3.0;
-            let like = if fits {
-                Ok(crate::physics::scene::Scene {
-                    solver: Solver::Exact,
-                    ..here
-                })
-            } else {
-                preset::open(game.rules().code().equipment).map(|preset| preset.equipment.scene())
-            };
-            match like {
+            match equipment(&setup, snapshot(&playfield, &balls)) {
                 Ok(like) => {
                     commands.write(TurnCommand::Begin {
                         setup: Box::new(setup),
@@ -181,7 +191,7 @@ fn show(
                     open.close();
                 }
                 Err(error) => {
-                    news.write(TurnNews::Failed(error.to_string()));
+                    news.write(TurnNews::Failed(error));
                 }
             }
         }

@@ -85,17 +85,12 @@ fn show(
                 open.close();
             }
             let player = names.get(shot.player()).map_or("", String::as_str);
-            let mut text = format!("{}. {player}", index + 1);
-            for ball in &shot.made {
-                text += &format!(" +{}", scene.balls[*ball].name);
-            }
-            for foul in &shot.fouls {
-                text += &format!(" · {}", foul.rule());
-            }
-            if let Some(over) = &shot.over {
-                text += &format!(" · {}", over.sentence(&scene, &names));
-            }
-            ui.label(text);
+            let mut parts = vec![format!("{}. {player}", index + 1)];
+            let made = shot.made.iter();
+            parts.extend(made.map(|ball| format!("+{}", scene.balls[*ball].name)));
+            parts.extend(shot.fouls.iter().map(|foul| foul.rule().to_owned()));
+            parts.extend(shot.over.iter().map(|over| over.sentence(&scene, &names)));
+            ui.label(parts.join(" · "));
         });
     }
 }

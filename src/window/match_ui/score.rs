@@ -54,7 +54,8 @@ pub(super) fn show(
                             });
                         }
                         Some(Phase::RackOver) => {
-                            if ui.button(language.text("match-next-rack")).clicked() {
+                            let next = ui.button(language.text("match-next-rack"));
+                            if next.clicked() {
                                 commands.write(TurnCommand::NextRack);
                             }
                         }
@@ -92,10 +93,12 @@ fn score(ui: &mut egui::Ui, game: &Match, language: &Language) {
             if index > 0 {
                 ui.separator();
             }
-            let mut text = format!("{}  {}", player.name, racks[index]);
-            if points {
-                text += &format!("  ({})", standing.scores[index]);
-            }
+            let (name, racks) = (&player.name, racks[index]);
+            let text = if points {
+                format!("{name}  {racks}  ({})", standing.scores[index])
+            } else {
+                format!("{name}  {racks}")
+            };
             let text = egui::RichText::new(text);
             let at_table = index == standing.turn && standing.over.is_none();
             if at_table {

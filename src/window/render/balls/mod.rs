@@ -66,6 +66,10 @@ fn change_clothes(
 }
 
 /// Gives a new ball its globe, its shade and its way of moving.
+#[expect(
+    clippy::too_many_arguments,
+    reason = "a system names everything it reads"
+)]
 fn dress(
     added: On<Add, BallIndex>,
     mut commands: Commands,
