@@ -90,9 +90,9 @@ fn a_racked_ball_gives_way_to_a_listed_one() {
 
 #[test]
 fn a_fill_is_the_same_every_time_and_overlaps_nothing() {
-    let text = "(table: SevenFoot, laws: Ideal, fill: (count: 300, seed: 7, speed: 1.5, radii: (0.005, 0.02)))";
+    let text = "(table: SevenFoot, laws: Ideal, fill: (count: 200, seed: 7, speed: 1.5, radii: (0.02, 0.03)))";
     let scene = good(text);
-    assert_eq!(scene.balls.len(), 300);
+    assert_eq!(scene.balls.len(), 200);
     assert_eq!(scene, good(text));
     assert_ne!(scene, good(&text.replace("seed: 7", "seed: 8")));
     assert!(

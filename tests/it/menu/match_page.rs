@@ -1,0 +1,37 @@
+//! A match is agreed on, begun, watched and left with keys alone.
+
+use masse::game::turns::Turns;
+use masse::sim::stepping;
+
+use super::*;
+
+fn turns(app: &App) -> &Turns {
+    app.world().resource::<Turns>()
+}
+
+#[test]
+fn a_match_is_begun_and_left_with_keys_alone() {
+    let mut app = app();
+    press(&mut app, KeyCode::Escape);
+    choose(&mut app, "New match");
+    assert_eq!(page(&app), Some(PageId("match")));
+    choose(&mut app, "9-ball");
+    choose(&mut app, "Rosa");
+    choose(&mut app, "Begin");
+    assert_eq!(screen(&app), Screen::Table);
+    stepping::step(&mut app, 2);
+    let game = turns(&app).game().expect("it has begun");
+    assert_eq!(game.setup().game.rules().code().name, "9-ball");
+    // The first Rosa is that of the first player, who breaks.
+    assert_eq!(turns(&app).level(), Some("Rosa"));
+    assert!(!turns(&app).may_strike());
+    step(&mut app);
+
+    press(&mut app, KeyCode::Escape);
+    choose(&mut app, "The match");
+    assert_eq!(page(&app), Some(PageId("match-report")));
+    choose(&mut app, "Leave the match");
+    stepping::step(&mut app, 2);
+    assert!(!turns(&app).is_on());
+    assert_eq!(screen(&app), Screen::Table);
+}
