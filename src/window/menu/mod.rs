@@ -45,17 +45,26 @@ pub(super) fn plugin(app: &mut App) {
         .add_systems(
             EguiPrimaryContextPass,
             (
-                scale.before(WindowSystems::Ui),
+                suit.before(WindowSystems::Ui),
                 show.in_set(WindowSystems::Menu),
             ),
         );
 }
 
-/// Letters and panels as large as the player wants them.
-fn scale(mut contexts: EguiContexts, settings: Res<Settings>) -> Result {
+/// Letters and panels as large as the player wants them, and as still.
+fn suit(mut contexts: EguiContexts, settings: Res<Settings>) -> Result {
     let scales = Settings::SCALES;
     let scale = settings.scale.clamp(*scales.start(), *scales.end());
-    contexts.ctx_mut()?.set_zoom_factor(scale);
+    let context = contexts.ctx_mut()?;
+    context.set_zoom_factor(scale);
+    let fading = if settings.reduced_motion {
+        0.0
+    } else {
+        egui::Style::default().animation_time
+    };
+    if context.global_style().animation_time.to_bits() != fading.to_bits() {
+        context.all_styles_mut(|style| style.animation_time = fading);
+    }
     Ok(())
 }
 
@@ -137,6 +146,8 @@ fn frame(ui: &mut egui::Ui, world: &mut World, page: &Page, show: Show, depth: u
     egui::ScrollArea::vertical()
         .id_salt(page.id.0)
         .max_height(room.y - FRAME)
+        // At once as high as it needs to be, not by and by.
+        .min_scrolled_height(room.y - FRAME)
         .show(ui, |ui| {
             ui.set_width(ui.available_width());
             if let Err(error) = world.run_system_with(show, ui) {
@@ -144,7 +155,8 @@ fn frame(ui: &mut egui::Ui, world: &mut World, page: &Page, show: Show, depth: u
             }
             follow_focus(ui, &mut world.resource_mut::<Laid>());
         });
-    if page.id == PageId::MAIN {
+    // A click while a control is asked for is the answer: nothing else may be there to be clicked.
+    if page.id == PageId::MAIN || settings::asks(world) {
         return;
     }
     ui.separator();

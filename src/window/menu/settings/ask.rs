@@ -46,6 +46,11 @@ pub(in crate::window::menu) fn is_asking(asking: Res<Asking>) -> bool {
     asking.0.is_some()
 }
 
+/// The same, outside systems.
+pub(in crate::window::menu) fn asks(world: &World) -> bool {
+    world.resource::<Asking>().0.is_some()
+}
+
 pub(super) fn plugin(app: &mut App) {
     app.init_resource::<Asking>()
         .add_systems(

@@ -6,7 +6,7 @@ mod general;
 mod picture;
 mod sound;
 
-pub(super) use ask::is_asking;
+pub(super) use ask::{asks, is_asking};
 
 use bevy::prelude::*;
 use bevy_egui::egui;

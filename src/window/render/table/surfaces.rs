@@ -99,7 +99,7 @@ fn cloth_colour(cloth: ClothColour, anisotropy: u16) -> Image {
         ClothColour::Tournament => [0.03, 0.44, 0.41],
         ClothColour::Green => [0.03, 0.38, 0.12],
         ClothColour::Blue => [0.04, 0.20, 0.52],
-        ClothColour::Burgundy => [0.40, 0.05, 0.09],
+        ClothColour::Burgundy => [0.30, 0.05, 0.09],
         ClothColour::Grey => [0.30, 0.31, 0.32],
     };
     let noise = Noise::new(11);
