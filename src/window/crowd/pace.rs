@@ -5,6 +5,7 @@ use std::time::{Duration, Instant};
 use bevy::prelude::*;
 use leafwing_input_manager::prelude::ActionState;
 
+use crate::game::practice::PracticeCommand;
 use crate::game::watch::Watch;
 use crate::physics::scene::Scene;
 use crate::sim::messages::LoadScene;
@@ -54,9 +55,15 @@ pub(super) fn keep_up(
     playfield: Res<Playfield>,
     cost: Res<Cost>,
     fixed: Res<Time<Fixed>>,
+    scenes: Res<Messages<LoadScene>>,
+    commands: Res<Messages<PracticeCommand>>,
     mut time: ResMut<Time<Virtual>>,
     mut was: Local<bool>,
 ) {
+    if !scenes.is_empty() || !commands.is_empty() {
+        // What lies on the table is changed by a tick.
+        time.unpause();
+    }
     let is = playfield.solver.is_crowd();
     if *was && !is {
         time.set_max_delta(CATCH_UP);

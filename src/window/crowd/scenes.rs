@@ -3,21 +3,21 @@
 use bevy::prelude::*;
 use bevy::tasks::futures::check_ready;
 use bevy::tasks::{AsyncComputeTaskPool, Task};
-use bevy_egui::{EguiContexts, egui};
+use bevy_egui::egui;
 
 use crate::game::equip::Told;
+use crate::game::saying::Saying;
 use crate::physics::scene::Scene;
 use crate::scenarios::library::{self, BUILT_IN};
 use crate::sim::messages::LoadScene;
-use crate::sim::playfield::Playfield;
+use crate::window::language::Language;
 
 /// The scene that is being made.
 #[derive(Resource, Default)]
 pub(super) struct Loading {
-    task: Option<(String, Task<Result<Scene, String>>)>,
+    task: Option<(String, Task<Result<Scene, Saying>>)>,
     /// Name and title of every crowd scene, once they are asked for.
     known: Option<Vec<(&'static str, String)>>,
-    open: bool,
 }
 
 impl Loading {
@@ -25,7 +25,7 @@ impl Loading {
     pub fn begin(
         &mut self,
         what: String,
-        make: impl FnOnce() -> Result<Scene, String> + Send + 'static,
+        make: impl FnOnce() -> Result<Scene, Saying> + Send + 'static,
     ) {
         let task = AsyncComputeTaskPool::get().spawn(async move { make() });
         self.task = Some((what, task));
@@ -65,52 +65,21 @@ pub(super) fn arrive(
     }
 }
 
-/// Lays out the button that opens the list while something else is played.
-pub(super) fn show(
-    mut contexts: EguiContexts,
-    mut loading: ResMut<Loading>,
-    playfield: Res<Playfield>,
-) -> Result {
-    if playfield.solver.is_crowd() {
-        loading.open = false;
-        return Ok(());
-    }
-    let context = contexts.ctx_mut()?;
-    if !loading.open {
-        egui::Area::new(egui::Id::new("crowds button"))
-            .anchor(egui::Align2::LEFT_TOP, egui::vec2(84.0, 8.0))
-            .show(context, |ui| {
-                let hint = "Thousands of balls and more: gases, racks, boards of pegs.";
-                if ui.button("Crowds").on_hover_text(hint).clicked() {
-                    loading.open = true;
-                }
-            });
-        return Ok(());
-    }
-    let mut open = true;
-    egui::Window::new("Crowds")
-        .open(&mut open)
-        .anchor(egui::Align2::LEFT_TOP, egui::vec2(84.0, 8.0))
-        .auto_sized()
-        .collapsible(false)
-        .show(context, |ui| list(ui, &mut loading));
-    loading.open = open;
-    Ok(())
-}
-
 /// A button for each scene.
-pub(super) fn list(ui: &mut egui::Ui, loading: &mut Loading) {
+pub(super) fn list(ui: &mut egui::Ui, language: &Language, loading: &mut Loading) {
     let known = loading.known.get_or_insert_with(crowds).clone();
     if known.is_empty() {
-        ui.label("No crowd is built in.");
+        ui.label(language.text("crowd-no-scenes"));
     }
     for (name, title) in known {
-        if ui.button(name).on_hover_text(title).clicked() {
-            loading.begin(name.to_owned(), move || {
+        let key = format!("scene-{name}");
+        let title = language.find(&key).unwrap_or(&title);
+        if ui.button(title).clicked() {
+            loading.begin(title.to_owned(), move || {
                 let opened = library::open(name);
                 opened
                     .map(|scenario| scenario.scene)
-                    .map_err(|error| error.to_string())
+                    .map_err(|error| Saying::from(error.to_string()))
             });
         }
     }
