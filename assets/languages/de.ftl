@@ -14,6 +14,7 @@ load = Laden
 new-game-title = Neues Spiel
 new-game-practice = Training
 new-game-scenes = Szenen und Trickstöße
+new-game-crowds = Scharen
 new-game-own = Eigene Szene
 new-game-own-hint = Szenendatei
 rack-eight-ball = 8-Ball aufbauen

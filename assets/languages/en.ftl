@@ -14,6 +14,7 @@ load = Load
 new-game-title = New game
 new-game-practice = Practice
 new-game-scenes = Scenes and trick shots
+new-game-crowds = Crowds
 new-game-own = Own scene
 new-game-own-hint = scene file
 rack-eight-ball = Rack 8-ball

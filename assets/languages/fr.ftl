@@ -14,6 +14,7 @@ load = Charger
 new-game-title = Nouvelle partie
 new-game-practice = Entraînement
 new-game-scenes = Scènes et coups fantaisie
+new-game-crowds = Foules
 new-game-own = Scène personnelle
 new-game-own-hint = fichier de scène
 rack-eight-ball = Triangle de jeu de la 8

@@ -55,7 +55,7 @@ pub(super) fn plugin(app: &mut App) {
     app.init_resource::<pointer::Grasp>()
         .init_resource::<numbers::Numbers>()
         .init_resource::<panel::Panel>()
-        .init_resource::<scenes::Loading>()
+        .add_plugins(scenes::plugin)
         .init_resource::<pace::Cost>()
         .add_systems(
             PreUpdate,

@@ -8,9 +8,10 @@ use bevy_egui::egui;
 use crate::game::equip::Told;
 use crate::game::saying::Saying;
 use crate::physics::scene::Scene;
-use crate::scenarios::library::{self, BUILT_IN};
+use crate::scenarios::library;
 use crate::sim::messages::LoadScene;
 use crate::window::language::Language;
+use crate::window::page::{AddPages, Mode};
 
 /// The scene that is being made.
 #[derive(Resource, Default)]
@@ -31,9 +32,33 @@ impl Loading {
         self.task = Some((what, task));
     }
 
+    /// Opens a scene of the library.
+    pub fn open(&mut self, name: &'static str, title: String) {
+        self.begin(title, move || match library::open(name) {
+            Ok(scenario) => Ok(scenario.scene),
+            Err(error) => Err(Saying::from(error.to_string())),
+        });
+    }
+
     /// What is being made, if anything.
     pub fn what(&self) -> Option<&str> {
         self.task.as_ref().map(|(what, _)| what.as_str())
+    }
+}
+
+/// Adds the crowds to the games that can be begun.
+pub(super) fn plugin(app: &mut App) {
+    app.init_resource::<Loading>();
+    for (name, title) in crowds() {
+        app.add_mode(
+            Mode {
+                group: "new-game-crowds",
+                title: format!("scene-{name}"),
+                name: title.clone(),
+                about: None,
+            },
+            move |mut loading: ResMut<Loading>| loading.open(name, title.clone()),
+        );
     }
 }
 
@@ -58,7 +83,7 @@ pub(super) fn arrive(
         }
         Err(text) => {
             commands.write_message(Told {
-                text: text.into(),
+                text,
                 is_failure: true,
             });
         }
@@ -75,12 +100,7 @@ pub(super) fn list(ui: &mut egui::Ui, language: &Language, loading: &mut Loading
         let key = format!("scene-{name}");
         let title = language.find(&key).unwrap_or(&title);
         if ui.button(title).clicked() {
-            loading.begin(title.to_owned(), move || {
-                let opened = library::open(name);
-                opened
-                    .map(|scenario| scenario.scene)
-                    .map_err(|error| Saying::from(error.to_string()))
-            });
+            loading.open(name, title.to_owned());
         }
     }
     if let Some(what) = loading.what() {
@@ -92,8 +112,7 @@ pub(super) fn list(ui: &mut egui::Ui, language: &Language, loading: &mut Loading
 }
 
 fn crowds() -> Vec<(&'static str, String)> {
-    BUILT_IN
-        .iter()
+    library::all()
         .filter(|scene| scene.is_crowd().unwrap_or(false))
         .map(|scene| (scene.name, scene.title().unwrap_or_default()))
         .collect()
