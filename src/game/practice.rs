@@ -225,6 +225,10 @@ pub(super) fn obey(
                     practice.history.laid(scene.clone(), *aim);
                     practice.next_seed();
                 }
+                if scene.solver.is_crowd() {
+                    // Nobody racks among thousands of balls.
+                    scene = opening();
+                }
                 let mut table = scene.table.clone();
                 match *command {
                     PracticeCommand::Rack(rack) => practice.rack = rack,

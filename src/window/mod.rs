@@ -102,10 +102,11 @@ impl Plugin for WindowPlugin {
                 action::plugin,
                 input::plugin,
                 shot_ui::plugin,
-                crowd::plugin,
                 hud::plugin,
                 match_ui::plugin,
                 menu::plugin,
+                // After the menu: its scenes are listed last.
+                crowd::plugin,
                 sound::plugin,
                 preset::plugin,
             ));

@@ -5,6 +5,7 @@ use std::ops::RangeInclusive;
 use bevy::prelude::*;
 use bevy_egui::egui;
 
+use crate::game::saying::Saying;
 use crate::game::scatter::scattered;
 use crate::physics::laws::Laws;
 use crate::physics::laws::ball_ball::{BallBallLaw, Friction, Frictional, Frictionless, PeerCap};
@@ -18,13 +19,16 @@ use crate::sim::components::{
 };
 use crate::sim::playfield::Playfield;
 use crate::sim::recorder::Recorder;
+use crate::window::crowd::numbers;
 use crate::window::crowd::scenes::Loading;
+use crate::window::language::Language;
 
 /// Balls up to which the laws change while a dial is still being turned: every change sorts the crowd anew.
 const AT_ONCE: usize = 20_000;
 
 /// A number that can be turned.
 struct Dial {
+    /// The key of its name.
     label: &'static str,
     range: RangeInclusive<f64>,
     decimals: usize,
@@ -49,10 +53,10 @@ impl Dial {
     }
 
     /// Lays it out, and tells its new value.
-    fn show(self, ui: &mut egui::Ui, value: f64) -> Option<f64> {
+    fn show(self, ui: &mut egui::Ui, language: &Language, value: f64) -> Option<f64> {
         let id = ui.id().with(self.label);
         let mut shown = ui.data(|data| data.get_temp(id)).unwrap_or(value);
-        ui.label(self.label);
+        ui.label(language.text(self.label));
         ui.spacing_mut().slider_width = 110.0;
         let slider = egui::Slider::new(&mut shown, self.range)
             .clamping(egui::SliderClamping::Edits)
@@ -78,6 +82,7 @@ pub(super) fn show(
     clock: &mut ResMut<Clock>,
     loading: &mut Loading,
     recorder: &Recorder,
+    language: &Language,
     (count, spins): (usize, bool),
 ) -> bool {
     let at_once = count <= AT_ONCE;
@@ -90,23 +95,26 @@ pub(super) fn show(
             .filter(|scene| scene.shot.is_none())
         {
             let dial = Dial {
-                label: "Balls",
+                label: "crowd-balls",
                 range: 100.0..=1e6,
                 decimals: 0,
                 ratios: true,
                 suffix: "",
                 at_once: false,
             };
-            if let Some(wish) = dial.show(ui, count as f64) {
+            if let Some(wish) = dial.show(ui, language, count as f64) {
                 again(loading, before, playfield, wish as usize);
             }
         }
-        balls(ui, &mut laws, at_once, spins);
-        if let Some(wish) = rate(ui, playfield) {
+        balls(ui, language, &mut laws, at_once, spins);
+        if let Some(wish) = rate(ui, language, playfield) {
             set_tick(playfield, clock, wish);
         }
     });
-    if ui.checkbox(&mut cloth, "Cloth").changed() {
+    if ui
+        .checkbox(&mut cloth, language.text("crowd-cloth"))
+        .changed()
+    {
         laws.motion = if cloth {
             MotionLaw::Coulomb(Cloth::default())
         } else {
@@ -116,10 +124,10 @@ pub(super) fn show(
     if let MotionLaw::Coulomb(cloth) = &mut laws.motion {
         egui::Grid::new("cloth").num_columns(2).show(ui, |ui| {
             for (label, value, most) in [
-                ("Sliding", &mut cloth.sliding, 1.0),
-                ("Rolling", &mut cloth.rolling, 0.1),
+                ("crowd-sliding", &mut cloth.sliding, 1.0),
+                ("crowd-rolling", &mut cloth.rolling, 0.1),
             ] {
-                if let Some(wish) = Dial::share(label, most, at_once).show(ui, *value) {
+                if let Some(wish) = Dial::share(label, most, at_once).show(ui, language, *value) {
                     *value = wish;
                 }
             }
@@ -141,25 +149,32 @@ fn again(loading: &mut Loading, before: &Scene, playfield: &Playfield, count: us
         solver: playfield.solver,
         ..before.clone()
     };
-    loading.begin(format!("{count} balls"), move || {
-        scattered(&like, count, 1).ok_or_else(|| format!("{count} balls have no room here."))
+    loading.begin(numbers::large(count as f64), move || {
+        scattered(&like, count, 1).ok_or_else(|| {
+            let english = format!("{count} balls have no room here.");
+            Saying::new("crowd-no-room", &[("count", &count.to_string())], english)
+        })
     });
 }
 
-fn balls(ui: &mut egui::Ui, laws: &mut Laws, at_once: bool, spins: bool) {
+fn balls(ui: &mut egui::Ui, language: &Language, laws: &mut Laws, at_once: bool, spins: bool) {
     let restitution = laws.ball_ball.restitution();
-    if let Some(wish) = Dial::share("Restitution", 1.0, at_once).show(ui, restitution) {
+    if let Some(wish) =
+        Dial::share("crowd-restitution", 1.0, at_once).show(ui, language, restitution)
+    {
         set_restitution(&mut laws.ball_ball, wish);
     }
     if let CushionLaw::Mirror(mirror) = &mut laws.cushion
         && let Restitution::Constant(value) = &mut mirror.restitution
-        && let Some(wish) = Dial::share("of cushions", 1.0, at_once).show(ui, *value)
+        && let Some(wish) =
+            Dial::share("crowd-cushion-restitution", 1.0, at_once).show(ui, language, *value)
     {
         *value = wish;
     }
     if spins {
         let present = friction(&laws.ball_ball);
-        if let Some(wish) = Dial::share("Friction", 0.5, at_once).show(ui, present) {
+        if let Some(wish) = Dial::share("crowd-friction", 0.5, at_once).show(ui, language, present)
+        {
             set_friction(&mut laws.ball_ball, wish);
         }
     }
@@ -205,19 +220,19 @@ fn set_friction(law: &mut BallBallLaw, value: f64) {
     }
 }
 
-fn rate(ui: &mut egui::Ui, playfield: &Playfield) -> Option<f64> {
+fn rate(ui: &mut egui::Ui, language: &Language, playfield: &Playfield) -> Option<f64> {
     let Solver::Stepped(stepped) = playfield.solver else {
         return None;
     };
     let dial = Dial {
-        label: "Ticks",
+        label: "crowd-ticks",
         range: 30.0..=2000.0,
         decimals: 1,
         ratios: true,
         suffix: " /s",
         at_once: false,
     };
-    dial.show(ui, 1.0 / stepped.tick)
+    dial.show(ui, language, 1.0 / stepped.tick)
 }
 
 /// Another length of the tick; the time of the clock goes on.

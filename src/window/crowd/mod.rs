@@ -26,6 +26,7 @@ use crate::sim::SimSystems;
 use crate::sim::playfield::Playfield;
 use crate::sim::stepped::crowd::{Crowd, is_crowd};
 use crate::window::WindowSystems;
+use crate::window::page::Screen;
 
 /// What can be seen without touching anything.
 pub(super) fn picture(app: &mut App) {
@@ -54,7 +55,7 @@ pub(super) fn plugin(app: &mut App) {
     app.init_resource::<pointer::Grasp>()
         .init_resource::<numbers::Numbers>()
         .init_resource::<panel::Panel>()
-        .init_resource::<scenes::Loading>()
+        .add_plugins(scenes::plugin)
         .init_resource::<pace::Cost>()
         .add_systems(
             PreUpdate,
@@ -66,7 +67,7 @@ pub(super) fn plugin(app: &mut App) {
                 panel::toggle.run_if(not(egui_wants_any_keyboard_input)),
             )
                 .chain()
-                .run_if(is_crowd)
+                .run_if(is_crowd.and_then(in_state(Screen::Table)))
                 .after(WindowSystems::Input),
         )
         .add_systems(FixedFirst, pace::start)
@@ -88,8 +89,8 @@ pub(super) fn plugin(app: &mut App) {
         )
         .add_systems(
             EguiPrimaryContextPass,
-            (panel::show, scenes::show)
-                .chain()
+            panel::show
+                .run_if(in_state(Screen::Table))
                 .after(WindowSystems::Ui)
                 .before(WindowSystems::Overlay),
         );

@@ -12,6 +12,7 @@ use crate::sim::playfield::Playfield;
 use crate::sim::stepped::crowd::{Census, Crowd, Pass};
 use crate::window::crowd::pace::Cost;
 use crate::window::crowd::pack::Packed;
+use crate::window::language::Language;
 
 /// How much a new value counts against the old ones.
 const FRESH: f64 = 0.1;
@@ -111,43 +112,55 @@ pub(super) fn show(
     packed: &Packed,
     cost: &Cost,
     clock: &Clock,
+    language: &Language,
 ) {
     egui::Grid::new("census")
         .num_columns(2)
         .spacing([12.0, 2.0])
         .show(ui, |ui| {
             let mut row = |name: &str, value: String| {
-                ui.label(name);
+                ui.label(language.text(name));
                 ui.label(egui::RichText::new(value).monospace());
                 ui.end_row();
             };
-            row("Balls", large(census.balls as f64));
-            row("of them awake", large(census.awake as f64));
-            row("Time", format!("{:.2} s", clock.time()));
-            row("Frame", format!("{:.1} ms", 1e3 * numbers.frame));
-            row("Pace", format!("{:.2} x life", numbers.pace));
-            row("Tick", format!("{:.3} ms", 1e3 * cost.tick));
+            row("crowd-balls", large(census.balls as f64));
+            row("crowd-awake", large(census.awake as f64));
+            row("crowd-time", format!("{:.2} s", clock.time()));
+            row("crowd-frame", format!("{:.1} ms", 1e3 * numbers.frame));
+            row("crowd-pace", format!("{:.2} ×", numbers.pace));
+            row("crowd-tick", format!("{:.3} ms", 1e3 * cost.tick));
             for pass in Pass::ALL {
-                let name = format!("  {}", pass_name(pass));
-                row(&name, format!("{:.3} ms", numbers.passes[pass as usize]));
+                row(
+                    pass_key(pass),
+                    format!("{:.3} ms", numbers.passes[pass as usize]),
+                );
             }
-            row("  packing", milliseconds(packed.fill));
-            row("  upload", milliseconds(packed.upload.get()));
-            row("Contacts", format!("{} /s", large(numbers.rates.0)));
-            row("of cushions", format!("{} /s", large(numbers.rates.1)));
-            row("Energy", format!("{:.6} J", census.energy));
+            row("crowd-pass-packing", milliseconds(packed.fill));
+            row("crowd-pass-upload", milliseconds(packed.upload.get()));
+            row("crowd-contacts", format!("{} /s", large(numbers.rates.0)));
+            row(
+                "crowd-cushion-contacts",
+                format!("{} /s", large(numbers.rates.1)),
+            );
+            row("crowd-energy", format!("{:.6} J", census.energy));
             if let Some(first) = numbers.first.filter(|first| *first > 0.0) {
-                row("since begun", change(census.energy / first - 1.0));
+                row("crowd-energy-change", change(census.energy / first - 1.0));
             }
-            row("Fastest", format!("{:.3} m/s", census.speed));
+            row("crowd-fastest", format!("{:.3} m/s", census.speed));
             let diameter = 2.0 * f64::from(packed.radius.max(f32::MIN_POSITIVE));
-            row("Overlap", format!("{:.1e} d", census.overlap / diameter));
-            row("at most", format!("{:.1e} d", numbers.overlap / diameter));
+            row(
+                "crowd-overlap",
+                format!("{:.1e} d", census.overlap / diameter),
+            );
+            row(
+                "crowd-overlap-most",
+                format!("{:.1e} d", numbers.overlap / diameter),
+            );
             if census.saturated > 0 {
-                row("too dense", large(census.saturated as f64));
+                row("crowd-saturated", large(census.saturated as f64));
             }
         });
-    ui.label(egui::RichText::new("Times of the solver are summed over threads.").weak());
+    ui.label(egui::RichText::new(language.text("crowd-times")).weak());
 }
 
 /// A small change by its size, a large one in percent.
@@ -159,8 +172,15 @@ fn change(share: f64) -> String {
     }
 }
 
-fn pass_name(pass: Pass) -> String {
-    format!("{pass:?}").to_lowercase()
+fn pass_key(pass: Pass) -> &'static str {
+    match pass {
+        Pass::Grid => "crowd-pass-grid",
+        Pass::Balls => "crowd-pass-balls",
+        Pass::Cushions => "crowd-pass-cushions",
+        Pass::Resolve => "crowd-pass-resolve",
+        Pass::Move => "crowd-pass-move",
+        Pass::Mirror => "crowd-pass-mirror",
+    }
 }
 
 fn milliseconds(time: Duration) -> String {
@@ -168,35 +188,49 @@ fn milliseconds(time: Duration) -> String {
 }
 
 /// Lays out the numbers of the ball that is watched.
-pub(super) fn show_ball(ui: &mut egui::Ui, watch: &mut Watch, crowd: &Crowd, ball: Option<Ball>) {
+pub(super) fn show_ball(
+    ui: &mut egui::Ui,
+    language: &Language,
+    watch: &mut Watch,
+    crowd: &Crowd,
+    ball: Option<Ball>,
+) {
     let Some(number) = watch.chosen else {
-        ui.label(egui::RichText::new("Click on a ball to watch it.").weak());
+        ui.label(egui::RichText::new(language.text("crowd-click")).weak());
         return;
     };
     ui.horizontal(|ui| {
-        ui.strong(format!("Ball {number}"));
-        ui.checkbox(&mut watch.follow, "Follow");
-        if ui.button("Let go").clicked() {
+        ui.strong(language.with("crowd-ball", &[("number", number.to_string().into())]));
+        ui.checkbox(&mut watch.follow, language.text("crowd-follow"));
+        if ui.button(language.text("crowd-let-go")).clicked() {
             watch.chosen = None;
         }
     });
     let Some(state) = crowd.state(number) else {
-        ui.label("It is not on the table.");
+        ui.label(language.text("crowd-absent"));
         return;
     };
-    let spin = state.angular_velocity;
-    ui.monospace(format!(
-        "x {:8.3}  z {:8.3} m\nv {:8.3} m/s  {:?}\nspin {:.1} rad/s, english {:.1}",
-        state.position.x,
-        state.position.z,
-        state.velocity.length(),
-        state.motion,
-        spin.length(),
-        spin.y,
-    ));
-    if let Some(ball) = ball {
-        ui.monospace(format!("energy {:.3e} J", ball.kinetic_energy(&state)));
-    }
+    let (at, spin) = (state.position, state.angular_velocity);
+    egui::Grid::new("ball").num_columns(2).show(ui, |ui| {
+        let mut row = |name: &str, value: String| {
+            ui.label(language.text(name));
+            ui.label(egui::RichText::new(value).monospace());
+            ui.end_row();
+        };
+        row("crowd-ball-place", format!("{:.3}, {:.3} m", at.x, at.z));
+        row(
+            "crowd-ball-speed",
+            format!("{:.3} m/s", state.velocity.length()),
+        );
+        row("crowd-ball-spin", format!("{:.1} rad/s", spin.length()));
+        row("crowd-ball-english", format!("{:.1} rad/s", spin.y));
+        if let Some(ball) = ball {
+            row(
+                "crowd-energy",
+                format!("{:.3e} J", ball.kinetic_energy(&state)),
+            );
+        }
+    });
 }
 
 #[cfg(test)]

@@ -5,6 +5,7 @@ use std::time::{Duration, Instant};
 use bevy::prelude::*;
 use leafwing_input_manager::prelude::ActionState;
 
+use crate::game::practice::PracticeCommand;
 use crate::game::watch::Watch;
 use crate::physics::scene::Scene;
 use crate::sim::messages::LoadScene;
@@ -12,6 +13,7 @@ use crate::sim::playfield::Playfield;
 use crate::sim::recorder::Recorder;
 use crate::sim::stepped::crowd::{Crowd, Mirror};
 use crate::window::action::Action;
+use crate::window::crowd::pack::Packed;
 
 /// Time of a frame that ticks may take.
 const SHARE: Duration = Duration::from_millis(14);
@@ -54,9 +56,15 @@ pub(super) fn keep_up(
     playfield: Res<Playfield>,
     cost: Res<Cost>,
     fixed: Res<Time<Fixed>>,
+    scenes: Res<Messages<LoadScene>>,
+    commands: Res<Messages<PracticeCommand>>,
     mut time: ResMut<Time<Virtual>>,
     mut was: Local<bool>,
 ) {
+    if !scenes.is_empty() || !commands.is_empty() {
+        // What lies on the table is changed by a tick.
+        time.unpause();
+    }
     let is = playfield.solver.is_crowd();
     if *was && !is {
         time.set_max_delta(CATCH_UP);
@@ -79,6 +87,7 @@ pub(super) fn command(
     mut time: ResMut<Time<Virtual>>,
     mut load: MessageWriter<LoadScene>,
     mut watch: ResMut<Watch>,
+    packed: Res<Packed>,
     recorder: Res<Recorder>,
     playfield: Res<Playfield>,
 ) {
@@ -90,12 +99,11 @@ pub(super) fn command(
     }
     for (action, step) in [(Action::NextBallLeft, -1), (Action::NextBallRight, 1)] {
         if actions.just_pressed(&action) {
-            watch.chosen = Some(
-                watch
-                    .chosen
-                    .and_then(|number| number.checked_add_signed(step))
-                    .unwrap_or(0),
-            );
+            let last = packed.sheet.count().saturating_sub(1);
+            let next = watch
+                .chosen
+                .and_then(|number| number.checked_add_signed(step));
+            watch.chosen = Some(next.unwrap_or(0).min(last));
         }
     }
 }

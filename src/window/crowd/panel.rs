@@ -21,6 +21,7 @@ use crate::window::crowd::numbers::{self, Numbers};
 use crate::window::crowd::pace::{self, Cost};
 use crate::window::crowd::pack::Packed;
 use crate::window::crowd::scenes::{self, Loading};
+use crate::window::language::Language;
 
 /// Width of the panel in points.
 const WIDTH: f32 = 262.0;
@@ -53,6 +54,7 @@ pub(super) struct Desk<'w, 's> {
     census: Res<'w, Census>,
     numbers: Res<'w, Numbers>,
     packed: Res<'w, Packed>,
+    language: Res<'w, Language>,
     cost: Res<'w, Cost>,
     balls: Query<'w, 's, (&'static Mass, &'static Radius, Has<AngularVelocity>)>,
     commands: Commands<'w, 's>,
@@ -76,7 +78,7 @@ pub(super) fn show(mut contexts: EguiContexts, mut desk: Desk) -> Result {
         egui::Area::new(egui::Id::new("crowd panel button"))
             .anchor(egui::Align2::RIGHT_TOP, margin)
             .show(context, |ui| {
-                if ui.button("Crowd").clicked() {
+                if ui.button(desk.language.text("crowd-title")).clicked() {
                     desk.panel.open = true;
                 }
             });
@@ -84,7 +86,8 @@ pub(super) fn show(mut contexts: EguiContexts, mut desk: Desk) -> Result {
     }
     let mut open = true;
     let height = context.content_rect().height();
-    egui::Window::new("Crowd")
+    egui::Window::new(desk.language.text("crowd-title"))
+        .id(egui::Id::new("crowd"))
         .open(&mut open)
         .pivot(egui::Align2::RIGHT_TOP)
         .default_pos(context.content_rect().right_top() + margin)
@@ -102,6 +105,7 @@ pub(super) fn show(mut contexts: EguiContexts, mut desk: Desk) -> Result {
 }
 
 fn contents(ui: &mut egui::Ui, desk: &mut Desk) {
+    let language = desk.language.clone();
     buttons(ui, desk);
     look(ui, desk);
     ui.separator();
@@ -112,7 +116,7 @@ fn contents(ui: &mut egui::Ui, desk: &mut Desk) {
         spins,
     });
     let mut watch = *desk.watch;
-    numbers::show_ball(ui, &mut watch, &desk.crowd, ball);
+    numbers::show_ball(ui, &language, &mut watch, &desk.crowd, ball);
     desk.watch.set_if_neq(watch);
     ui.separator();
     let count = desk.packed.sheet.count();
@@ -123,13 +127,15 @@ fn contents(ui: &mut egui::Ui, desk: &mut Desk) {
         &mut desk.clock,
         &mut desk.loading,
         &desk.recorder,
+        &language,
         (count, spins),
     );
     if is_other {
         desk.commands.run_system_cached(dials::classify);
     }
     ui.separator();
-    egui::CollapsingHeader::new("Numbers")
+    egui::CollapsingHeader::new(language.text("crowd-numbers"))
+        .id_salt("numbers")
         .default_open(true)
         .show(ui, |ui| {
             numbers::show(
@@ -139,39 +145,29 @@ fn contents(ui: &mut egui::Ui, desk: &mut Desk) {
                 &desk.packed,
                 &desk.cost,
                 &desk.clock,
+                &language,
             );
         });
-    ui.collapsing("Scenes", |ui| scenes::list(ui, &mut desk.loading));
-    ui.collapsing("Keys and mouse", |ui| {
-        for (control, what) in [
-            ("click", "watch a ball"),
-            ("drag", "move over the table"),
-            ("right drag", "turn the free camera"),
-            ("wheel", "nearer, farther"),
-            (", .", "watch the ball before, the next"),
-            ("Space", "hold or go on"),
-            ("R", "begin again"),
-            ("C, O", "cameras"),
-        ] {
-            ui.horizontal(|ui| {
-                ui.monospace(control);
-                ui.label(what);
-            });
-        }
-    });
+    egui::CollapsingHeader::new(language.text("crowd-scenes"))
+        .id_salt("scenes")
+        .show(ui, |ui| scenes::list(ui, &language, &mut desk.loading));
+    egui::CollapsingHeader::new(language.text("crowd-controls"))
+        .id_salt("controls")
+        .show(ui, |ui| ui.label(language.text("crowd-controls-text")));
 }
 
 fn buttons(ui: &mut egui::Ui, desk: &mut Desk) {
+    let language = desk.language.clone();
     ui.horizontal_wrapped(|ui| {
         let hold = if desk.time.is_paused() {
-            "Go on"
+            "crowd-go-on"
         } else {
-            "Hold"
+            "crowd-hold"
         };
-        if ui.button(hold).clicked() {
+        if ui.button(language.text(hold)).clicked() {
             pace::hold(&mut desk.time);
         }
-        if ui.button("Begin again").clicked() {
+        if ui.button(language.text("crowd-begin-again")).clicked() {
             pace::begin_again(
                 &mut desk.time,
                 &mut desk.load,
@@ -179,7 +175,7 @@ fn buttons(ui: &mut egui::Ui, desk: &mut Desk) {
                 &desk.playfield,
             );
         }
-        if ui.button("To the table").clicked() {
+        if ui.button(language.text("crowd-leave")).clicked() {
             desk.load.write(LoadScene(practice::opening()));
             desk.time.unpause();
         }
@@ -191,25 +187,26 @@ fn buttons(ui: &mut egui::Ui, desk: &mut Desk) {
 }
 
 fn look(ui: &mut egui::Ui, desk: &mut Desk) {
+    let language = desk.language.clone();
     let mut view = *desk.view;
     ui.horizontal(|ui| {
         for (mode, name) in [
-            (CameraMode::Overhead, "Overhead"),
-            (CameraMode::Orbit, "Free"),
+            (CameraMode::Overhead, "crowd-overhead"),
+            (CameraMode::Orbit, "crowd-free"),
         ] {
-            ui.selectable_value(&mut view.camera, mode, name);
+            ui.selectable_value(&mut view.camera, mode, language.text(name));
         }
     });
     desk.view.set_if_neq(view);
     let mut watch = *desk.watch;
     ui.horizontal(|ui| {
-        ui.label("Colour");
+        ui.label(language.text("crowd-colour"));
         for (colouring, name) in [
-            (Colouring::Speed, "speed"),
-            (Colouring::Spin, "spin"),
-            (Colouring::Number, "number"),
+            (Colouring::Speed, "crowd-by-speed"),
+            (Colouring::Spin, "crowd-by-spin"),
+            (Colouring::Number, "crowd-by-number"),
         ] {
-            ui.selectable_value(&mut watch.colouring, colouring, name);
+            ui.selectable_value(&mut watch.colouring, colouring, language.text(name));
         }
     });
     desk.watch.set_if_neq(watch);
@@ -218,7 +215,7 @@ fn look(ui: &mut egui::Ui, desk: &mut Desk) {
         Colouring::Speed => scale(ui, &format!("{:.2} m/s", hottest.speed)),
         Colouring::Spin if desk.packed.spins => scale(ui, &format!("{:.0} rad/s", hottest.spin)),
         Colouring::Spin => {
-            ui.label(egui::RichText::new("These balls do not spin.").weak());
+            ui.label(egui::RichText::new(language.text("crowd-no-spin")).weak());
         }
         Colouring::Number => {}
     }

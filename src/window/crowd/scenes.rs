@@ -3,21 +3,22 @@
 use bevy::prelude::*;
 use bevy::tasks::futures::check_ready;
 use bevy::tasks::{AsyncComputeTaskPool, Task};
-use bevy_egui::{EguiContexts, egui};
+use bevy_egui::egui;
 
 use crate::game::equip::Told;
+use crate::game::saying::Saying;
 use crate::physics::scene::Scene;
-use crate::scenarios::library::{self, BUILT_IN};
+use crate::scenarios::library;
 use crate::sim::messages::LoadScene;
-use crate::sim::playfield::Playfield;
+use crate::window::language::Language;
+use crate::window::page::{AddPages, Mode};
 
 /// The scene that is being made.
 #[derive(Resource, Default)]
 pub(super) struct Loading {
-    task: Option<(String, Task<Result<Scene, String>>)>,
+    task: Option<(String, Task<Result<Scene, Saying>>)>,
     /// Name and title of every crowd scene, once they are asked for.
     known: Option<Vec<(&'static str, String)>>,
-    open: bool,
 }
 
 impl Loading {
@@ -25,15 +26,39 @@ impl Loading {
     pub fn begin(
         &mut self,
         what: String,
-        make: impl FnOnce() -> Result<Scene, String> + Send + 'static,
+        make: impl FnOnce() -> Result<Scene, Saying> + Send + 'static,
     ) {
         let task = AsyncComputeTaskPool::get().spawn(async move { make() });
         self.task = Some((what, task));
     }
 
+    /// Opens a scene of the library.
+    pub fn open(&mut self, name: &'static str, title: String) {
+        self.begin(title, move || match library::open(name) {
+            Ok(scenario) => Ok(scenario.scene),
+            Err(error) => Err(Saying::from(error.to_string())),
+        });
+    }
+
     /// What is being made, if anything.
     pub fn what(&self) -> Option<&str> {
         self.task.as_ref().map(|(what, _)| what.as_str())
+    }
+}
+
+/// Adds the crowds to the games that can be begun.
+pub(super) fn plugin(app: &mut App) {
+    app.init_resource::<Loading>();
+    for (name, title) in crowds() {
+        app.add_mode(
+            Mode {
+                group: "new-game-crowds",
+                title: format!("scene-{name}"),
+                name: title.clone(),
+                about: None,
+            },
+            move |mut loading: ResMut<Loading>| loading.open(name, title.clone()),
+        );
     }
 }
 
@@ -58,60 +83,24 @@ pub(super) fn arrive(
         }
         Err(text) => {
             commands.write_message(Told {
-                text: text.into(),
+                text,
                 is_failure: true,
             });
         }
     }
 }
 
-/// Lays out the button that opens the list while something else is played.
-pub(super) fn show(
-    mut contexts: EguiContexts,
-    mut loading: ResMut<Loading>,
-    playfield: Res<Playfield>,
-) -> Result {
-    if playfield.solver.is_crowd() {
-        loading.open = false;
-        return Ok(());
-    }
-    let context = contexts.ctx_mut()?;
-    if !loading.open {
-        egui::Area::new(egui::Id::new("crowds button"))
-            .anchor(egui::Align2::LEFT_TOP, egui::vec2(84.0, 8.0))
-            .show(context, |ui| {
-                let hint = "Thousands of balls and more: gases, racks, boards of pegs.";
-                if ui.button("Crowds").on_hover_text(hint).clicked() {
-                    loading.open = true;
-                }
-            });
-        return Ok(());
-    }
-    let mut open = true;
-    egui::Window::new("Crowds")
-        .open(&mut open)
-        .anchor(egui::Align2::LEFT_TOP, egui::vec2(84.0, 8.0))
-        .auto_sized()
-        .collapsible(false)
-        .show(context, |ui| list(ui, &mut loading));
-    loading.open = open;
-    Ok(())
-}
-
 /// A button for each scene.
-pub(super) fn list(ui: &mut egui::Ui, loading: &mut Loading) {
+pub(super) fn list(ui: &mut egui::Ui, language: &Language, loading: &mut Loading) {
     let known = loading.known.get_or_insert_with(crowds).clone();
     if known.is_empty() {
-        ui.label("No crowd is built in.");
+        ui.label(language.text("crowd-no-scenes"));
     }
     for (name, title) in known {
-        if ui.button(name).on_hover_text(title).clicked() {
-            loading.begin(name.to_owned(), move || {
-                let opened = library::open(name);
-                opened
-                    .map(|scenario| scenario.scene)
-                    .map_err(|error| error.to_string())
-            });
+        let key = format!("scene-{name}");
+        let title = language.find(&key).unwrap_or(&title);
+        if ui.button(title).clicked() {
+            loading.open(name, title.to_owned());
         }
     }
     if let Some(what) = loading.what() {
@@ -123,8 +112,7 @@ pub(super) fn list(ui: &mut egui::Ui, loading: &mut Loading) {
 }
 
 fn crowds() -> Vec<(&'static str, String)> {
-    BUILT_IN
-        .iter()
+    library::all()
         .filter(|scene| scene.is_crowd().unwrap_or(false))
         .map(|scene| (scene.name, scene.title().unwrap_or_default()))
         .collect()
