@@ -60,6 +60,8 @@ pub enum WindowSystems {
     Look,
     /// Panels are laid out and read. Runs in [`EguiPrimaryContextPass`].
     Ui,
+    /// What a match says and asks. Runs in [`EguiPrimaryContextPass`].
+    Match,
     /// What lies over the panels: help, status. Runs in [`EguiPrimaryContextPass`].
     Overlay,
 }
@@ -90,6 +92,7 @@ impl Plugin for WindowPlugin {
                 EguiPrimaryContextPass,
                 (
                     WindowSystems::Ui.run_if(in_state(Screen::Table)),
+                    WindowSystems::Match.run_if(in_state(Screen::Table)),
                     WindowSystems::Overlay,
                     WindowSystems::Menu,
                 )

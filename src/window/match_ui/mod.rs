@@ -14,7 +14,6 @@ use bevy::prelude::*;
 use bevy_egui::EguiPrimaryContextPass;
 
 use crate::window::WindowSystems;
-use crate::window::page::Screen;
 
 pub(super) fn plugin(app: &mut App) {
     app.init_resource::<call::Pointing>()
@@ -24,8 +23,6 @@ pub(super) fn plugin(app: &mut App) {
         .add_systems(RunFixedMainLoop, area::draw.in_set(WindowSystems::Present))
         .add_systems(
             EguiPrimaryContextPass,
-            score::show
-                .run_if(in_state(Screen::Table))
-                .in_set(WindowSystems::Overlay),
+            score::show.in_set(WindowSystems::Match),
         );
 }

@@ -54,7 +54,7 @@ pub(super) fn plugin(app: &mut App) {
         Page {
             id: PAGE,
             title: "match-title",
-            place: Some((PageId::MAIN, 5)),
+            place: Some((PageId::MAIN, 12)),
         },
         show,
     );

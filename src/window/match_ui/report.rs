@@ -16,7 +16,7 @@ pub(super) fn plugin(app: &mut App) {
         Page {
             id: PAGE,
             title: "match-report",
-            place: Some((PageId::MAIN, 6)),
+            place: Some((PageId::MAIN, 13)),
         },
         show,
     );
