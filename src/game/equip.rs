@@ -25,9 +25,14 @@ pub struct Equip {
 #[derive(Message, Clone, Debug, PartialEq, Eq)]
 pub struct ChoosePreset(pub String);
 
-/// The player asks for a scene by its name or its file.
+/// The player asks for a scene by its name, its file or its shared text.
 #[derive(Message, Clone, Debug, PartialEq, Eq)]
-pub struct OpenScene(pub String);
+pub struct OpenScene {
+    /// What it is called.
+    pub name: String,
+    /// Whether to play it at once. Else it is laid out at rest, with the cue at its shot.
+    pub play: bool,
+}
 
 /// Something a player should know.
 #[derive(Message, Clone, Debug, PartialEq, Eq)]
@@ -44,7 +49,7 @@ pub struct PresetInUse(pub Option<String>);
 
 /// What waits until the balls rest; the last wish counts.
 #[derive(Resource, Debug, Default)]
-struct Waiting(Option<Equip>);
+pub(super) struct Waiting(Option<Equip>);
 
 pub(super) fn plugin(app: &mut App) {
     app.init_resource::<PresetInUse>()
@@ -75,7 +80,7 @@ fn is_waited_for(waiting: Res<Waiting>, clock: Res<Clock>, replay: Res<Replay>) 
 }
 
 /// Brings the equipment to the table. Where only laws or the cue are others nothing is laid out again.
-fn equip(
+pub(super) fn equip(
     mut waiting: ResMut<Waiting>,
     mut playfield: ResMut<Playfield>,
     mut practice: ResMut<Practice>,

@@ -4,8 +4,9 @@ use crate::game::aim::Aim;
 use crate::physics::cue::Shot;
 use crate::physics::scene::Scene;
 
-/// Steps kept; the oldest is forgotten first.
-const LIMIT: usize = 1000;
+/// Balls in all steps that are kept; the oldest step is forgotten first. A table of sixteen balls never comes near: these are
+/// a hundred thousand steps. A crowd does.
+const MOST_BALLS: usize = 1_600_000;
 
 /// What the player did to the table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -33,6 +34,8 @@ pub struct Past {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct History {
     steps: Vec<Past>,
+    /// What was undone, the last first to come back: the table and the aim after each step.
+    undone: Vec<Past>,
     last_shot: Option<Past>,
     shots: u64,
 }
@@ -95,8 +98,14 @@ impl History {
         }
     }
 
-    /// Takes back the last step.
-    pub fn undo(&mut self) -> Option<Past> {
+    /// How many steps can be done again.
+    #[must_use]
+    pub fn undone(&self) -> usize {
+        self.undone.len()
+    }
+
+    /// Takes back the last step; the present table and aim can be come back to.
+    pub fn undo(&mut self, scene: &Scene, aim: Aim) -> Option<Past> {
         let past = self.steps.pop()?;
         if matches!(past.step, Step::Shot(_)) {
             let earlier = |past: &&Past| matches!(past.step, Step::Shot(_));
@@ -104,7 +113,27 @@ impl History {
                 self.last_shot = Some(shot.clone());
             }
         }
+        self.undone.push(Past {
+            step: past.step,
+            scene: scene.clone(),
+            aim,
+        });
         Some(past)
+    }
+
+    /// Does again what was undone last; the present table and aim are what it can be undone to.
+    pub fn redo(&mut self, scene: &Scene, aim: Aim) -> Option<Past> {
+        let next = self.undone.pop()?;
+        let past = Past {
+            step: next.step,
+            scene: scene.clone(),
+            aim,
+        };
+        if matches!(past.step, Step::Shot(_)) {
+            self.last_shot = Some(past.clone());
+        }
+        self.keep(past);
+        Some(next)
     }
 
     /// Goes back to just before the last shot; asking again gives the same.
@@ -113,13 +142,22 @@ impl History {
         if let Some(at) = self.steps.iter().rposition(|past| past.step == shot.step) {
             self.steps.truncate(at);
         }
+        self.undone.clear();
         Some(shot)
     }
 
+    /// Something new: what was undone before is gone.
     fn push(&mut self, past: Past) {
-        if self.steps.len() == LIMIT {
+        self.undone.clear();
+        self.keep(past);
+    }
+
+    fn keep(&mut self, past: Past) {
+        self.steps.push(past);
+        let balls =
+            |steps: &[Past]| -> usize { steps.iter().map(|past| past.scene.balls.len()).sum() };
+        while self.steps.len() > 1 && balls(&self.steps) > MOST_BALLS {
             self.steps.remove(0);
         }
-        self.steps.push(past);
     }
 }

@@ -15,6 +15,8 @@ pub mod rules;
 pub mod saying;
 pub mod scatter;
 pub mod settings;
+pub mod snap;
+pub mod studio;
 pub mod target;
 pub mod turns;
 pub mod view;
@@ -36,6 +38,7 @@ impl Plugin for GamePlugin {
             replay::plugin,
             settings::plugin,
             turns::plugin,
+            studio::plugin,
             view::plugin,
             watch::plugin,
         ));

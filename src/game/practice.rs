@@ -33,6 +33,8 @@ pub enum PracticeCommand {
     Retry,
     /// Back by one step: a shot, a ball placed by hand, a new rack.
     Undo,
+    /// Does again what was undone last.
+    Redo,
     /// Racks again on the same table.
     Rack(Rack),
     /// Racks again on another table.
@@ -58,8 +60,12 @@ pub struct Practice {
     pub rack: Rack,
     /// Whether dragging moves balls instead of the aim.
     pub placing: bool,
+    /// The ball that was taken last to be placed, by its index in the scene.
+    pub chosen: Option<usize>,
     /// What can be undone.
     pub history: History,
+    /// Whether the aim already suits the scene that is about to be laid out.
+    pub(super) is_aimed: bool,
     /// Order of the balls in the next rack.
     seed: u64,
     /// The shot being played; gone when it is over.
@@ -71,7 +77,9 @@ impl Default for Practice {
         Self {
             rack: Rack::EightBall,
             placing: false,
+            chosen: None,
             history: History::default(),
+            is_aimed: false,
             seed: 1,
             playing: None,
         }
@@ -205,13 +213,15 @@ pub(super) fn obey(
     let practice = &mut *practice;
     for command in commands.read() {
         match *command {
-            PracticeCommand::Retry | PracticeCommand::Undo => {
+            PracticeCommand::Retry | PracticeCommand::Undo | PracticeCommand::Redo => {
                 let past = match command {
                     PracticeCommand::Retry => practice.history.retry(),
-                    _ => practice.history.undo(),
+                    PracticeCommand::Redo => practice.history.redo(&scene, *aim),
+                    _ => practice.history.undo(&scene, *aim),
                 };
                 let Some(past) = past else { continue };
                 *aim = past.aim;
+                practice.is_aimed = true;
                 scene = Scene {
                     laws: scene.laws,
                     cue: scene.cue,
@@ -294,10 +304,17 @@ pub(super) fn put_down(balls: &mut Placed, scene: &Scene, ball: usize) {
 }
 
 /// Takes up the cue for a scene that anybody lays out: its own shot if it plans one.
-pub(super) fn take_up(mut scenes: MessageReader<LoadScene>, mut aim: ResMut<Aim>) {
+pub(super) fn take_up(
+    mut scenes: MessageReader<LoadScene>,
+    mut practice: ResMut<Practice>,
+    mut aim: ResMut<Aim>,
+) {
     let Some(LoadScene(scene)) = scenes.read().last() else {
         return;
     };
+    if std::mem::take(&mut practice.is_aimed) {
+        return;
+    }
     aim.ball = scene.ball_named("cue").unwrap_or(0);
     if let Some(planned) = scene.shot {
         aim.ball = planned.ball;

@@ -5,6 +5,7 @@ pub mod dial;
 pub mod expect;
 pub mod file;
 pub mod library;
+pub mod own;
 pub mod preset;
 pub mod search;
 pub mod sensitivity;

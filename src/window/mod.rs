@@ -16,12 +16,14 @@ mod pace;
 pub mod page;
 mod preset;
 mod render;
+mod scenario_ui;
 mod shot_ui;
 mod sound;
 
 pub use display::{NoDisplay, snapshot};
 pub use preset::Source;
 pub use render::quality::RenderQuality;
+pub use scenario_ui::{OnTable, OwnScenes, Stage, Studio, Turn};
 
 use bevy::app::PluginGroupBuilder;
 use bevy::asset::AssetPlugin;
@@ -58,6 +60,8 @@ pub enum WindowSystems {
     Present,
     /// The camera follows. Runs in [`RunFixedMainLoop`], after `Present`.
     Look,
+    /// Trick shots and the studio: keys in [`PreUpdate`], after `Input`; panels in [`EguiPrimaryContextPass`], after `Ui`.
+    Scenes,
     /// Panels are laid out and read. Runs in [`EguiPrimaryContextPass`].
     Ui,
     /// What a match says and asks. Runs in [`EguiPrimaryContextPass`].
@@ -79,6 +83,7 @@ impl Plugin for WindowPlugin {
                     WindowSystems::Asking,
                     WindowSystems::Close.run_if(in_state(Screen::Table)),
                     WindowSystems::Input.run_if(in_state(Screen::Table)),
+                    WindowSystems::Scenes.run_if(in_state(Screen::Table)),
                 )
                     .chain()
                     .after(InputManagerSystem::ManualControl)
@@ -93,6 +98,7 @@ impl Plugin for WindowPlugin {
                 (
                     WindowSystems::Ui.run_if(in_state(Screen::Table)),
                     WindowSystems::Match.run_if(in_state(Screen::Table)),
+                    WindowSystems::Scenes.run_if(in_state(Screen::Table)),
                     WindowSystems::Overlay,
                     WindowSystems::Menu,
                 )
@@ -110,6 +116,7 @@ impl Plugin for WindowPlugin {
                 menu::plugin,
                 // After the menu: its scenes are listed last.
                 crowd::plugin,
+                scenario_ui::plugin,
                 sound::plugin,
                 preset::plugin,
             ));
@@ -160,7 +167,15 @@ pub fn play(scenario: Option<Scenario>, source: Option<Source>) -> Result<AppExi
             .add_plugins(windowed());
         app
     })?;
-    let scene = scenario.map_or_else(practice::opening, |scenario| scenario.scene);
+    app.insert_resource(OwnScenes::of_platform());
+    let scene = match scenario {
+        Some(scenario) => {
+            let scene = scenario.scene.clone();
+            scenario_ui::begin(app.world_mut(), scenario);
+            scene
+        }
+        None => practice::opening(),
+    };
     lay_out(app.world_mut(), &scene);
     if let Some(source) = source {
         preset::begin(app.world_mut(), source);

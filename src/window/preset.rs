@@ -190,13 +190,18 @@ fn lay_out(
     playfield: Res<Playfield>,
     balls: BallQuery,
 ) {
-    let Some(OpenScene(name)) = asked.read().last() else {
+    let Some(OpenScene { name, play }) = asked.read().last() else {
         return;
     };
     let source = Source::Scene(name.clone());
     let opened = open(&source).and_then(|opened| {
         let scenario = library::open(name).map_err(|error| error.to_string())?;
-        Ok((opened, scenario.scene))
+        let scene = if *play {
+            scenario.scene
+        } else {
+            scenario.laid_out()
+        };
+        Ok((opened, scene))
     });
     let text = match opened {
         Ok((opened, scene)) => {

@@ -37,6 +37,7 @@ mod scene_files;
 mod schedules;
 mod settings;
 mod speed_report;
+mod studio;
 mod turns;
 #[cfg(feature = "window")]
 mod window;

@@ -46,7 +46,8 @@ pub(super) fn give_way(
                     news.write(TurnNews::Refused(refused));
                 }
             }
-            PracticeCommand::CueBallInHand => {}
+            // A match cannot be done again: what is taken back in it is played anew.
+            PracticeCommand::Redo | PracticeCommand::CueBallInHand => {}
         }
     }
     asked.write_batch(left);

@@ -21,6 +21,25 @@ impl Table {
         DVec2::new(-0.25 * self.length, 0.0)
     }
 
+    /// The point at these diamonds, as players count them: across (x) from 0 to 4, along (y) from 0 at the foot rail to 8 at
+    /// the head rail, seen by somebody who stands at the foot and looks towards the head with 0 across at his left.
+    #[must_use]
+    pub fn at_diamonds(&self, diamonds: DVec2) -> DVec2 {
+        DVec2::new(
+            self.length * (0.5 - diamonds.y / 8.0),
+            self.width * (0.5 - diamonds.x / 4.0),
+        )
+    }
+
+    /// The diamonds of a point, across and along, as for [`at_diamonds`](Self::at_diamonds).
+    #[must_use]
+    pub fn diamonds_of(&self, point: DVec2) -> DVec2 {
+        DVec2::new(
+            4.0 * (0.5 - point.y / self.width),
+            8.0 * (0.5 - point.x / self.length),
+        )
+    }
+
     /// Middle of the baulk line of a snooker table: the spot of the brown, and the middle of the D.
     #[must_use]
     pub fn baulk_spot(&self) -> DVec2 {

@@ -19,8 +19,9 @@ const COLOURS: [&str; 8] = [
 /// Half the height of a stripe, R.
 const STRIPE: f64 = 0.55;
 
-/// The colour of a ball and whether it is striped, from its name; any other name takes the colours in turn.
-pub(super) fn colour(name: &str, index: usize) -> (&'static str, bool) {
+/// The colour of a ball, as `#rrggbb`, and whether it is striped, from its name; any other name takes the colours in turn.
+#[must_use]
+pub fn colour(name: &str, index: usize) -> (&'static str, bool) {
     match name {
         "cue" | "white" => (WHITE, false),
         "yellow" => (COLOURS[0], false),

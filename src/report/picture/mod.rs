@@ -9,6 +9,7 @@ mod style;
 mod table;
 mod trails;
 
+pub use balls::colour;
 pub use style::Style;
 
 use glam::DVec2;

@@ -17,12 +17,14 @@ mod check;
 mod grade;
 mod measure;
 mod moment;
+mod standing;
 mod tell;
 mod trace;
 
 pub(in crate::scenarios) use check::check;
 
 pub use moment::{Contact, Moment, Rail, Spot};
+pub use standing::{Standing, standings};
 
 use serde::{Deserialize, Serialize};
 
@@ -308,4 +310,17 @@ pub fn judge(scene: &Scene, record: &Record, expect: &[Expectation]) -> Vec<Outc
 #[must_use]
 pub fn miss(scene: &Scene, record: &Record, expect: &[Expectation]) -> f64 {
     expect.iter().map(|one| one.miss(scene, record)).sum()
+}
+
+/// How near a shot came, from 0 to 100: the mean over its expectations of 1 / (1 + 4 miss), so that a quarter of a metre
+/// counts half. 100 means that all are met, and only that.
+#[must_use]
+pub fn score(outcomes: &[Outcome]) -> u32 {
+    if outcomes.iter().all(|outcome| outcome.met) {
+        return 100;
+    }
+    let near = |outcome: &Outcome| 1.0 / (1.0 + 4.0 * outcome.miss.max(0.0));
+    let mean = outcomes.iter().map(near).sum::<f64>() / outcomes.len() as f64;
+    // Between 0 and 99.
+    (100.0 * mean).clamp(0.0, 99.0) as u32
 }

@@ -130,13 +130,9 @@ fn motion_of(laws: &Laws, ball: &Ball, mut state: State) -> Motion {
     laws.motion.classify(ball, state).motion
 }
 
-/// The point at these diamonds, as players count them: across from 0 to 4, along from 0 at the foot rail to 8 at the
-/// head rail, seen by somebody who stands at the foot and looks towards the head with 0 across at his left.
+/// The point at these diamonds.
 pub(in crate::scenarios) fn from_diamonds(table: &Table, diamonds: DVec2) -> DVec2 {
-    DVec2::new(
-        table.length * (0.5 - diamonds.y / 8.0),
-        table.width * (0.5 - diamonds.x / 4.0),
-    )
+    table.at_diamonds(diamonds)
 }
 
 /// A rack.

@@ -49,6 +49,7 @@ use ron::extensions::Extensions;
 use ron::ser::PrettyConfig;
 use serde::de::DeserializeOwned;
 
+use crate::physics::ball::State;
 use crate::physics::record::Record;
 use crate::physics::scene::Scene;
 use crate::scenarios::camera::Camera;
@@ -95,6 +96,19 @@ impl Scenario {
             ties: Vec::new(),
             scene,
         }
+    }
+
+    /// The scene before anything happens: every ball at rest, no stroke.
+    #[must_use]
+    pub fn laid_out(&self) -> Scene {
+        let mut scene = self.scene.clone();
+        scene.shot = None;
+        for placed in &mut scene.balls {
+            if placed.state.motion.in_play() {
+                placed.state = State::at_rest(placed.state.position);
+            }
+        }
+        scene
     }
 
     /// What became of the expectations in a record of the scene.

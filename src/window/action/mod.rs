@@ -89,12 +89,24 @@ pub enum Action {
     Retry,
     /// Undo the last step.
     Undo,
+    /// Do again what was undone.
+    Redo,
     /// A new rack.
     Rack,
     /// Place balls by dragging.
     Place,
     /// Cue ball in hand.
     InHand,
+    /// Open or close the studio.
+    Studio,
+    /// Play the trick shot that lies on the table.
+    PlayTrick,
+    /// Lay the trick shot out to try it.
+    TryTrick,
+    /// To the trick shot before.
+    PreviousTrick,
+    /// To the next trick shot.
+    NextTrick,
     /// Play faster while held.
     FastForward,
     /// Silence.

@@ -93,7 +93,7 @@ type Balls<'w, 's> = Query<
 pub(super) fn grip(
     actions: Actions,
     egui: Res<EguiWantsInput>,
-    practice: Res<Practice>,
+    mut practice: ResMut<Practice>,
     clock: Res<Clock>,
     pointer: Pointer,
     balls: Balls,
@@ -116,6 +116,9 @@ pub(super) fn grip(
         grip.held = Held::Cue;
         if practice.placing && !clock.moving {
             grip.held = under(&pointer, &balls).unwrap_or(Held::Cue);
+            if let Held::Ball(ball, _) = grip.held {
+                practice.chosen = Some(ball);
+            }
         }
     }
 }

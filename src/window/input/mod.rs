@@ -29,7 +29,7 @@ pub(super) fn plugin(app: &mut App) {
         .init_resource::<motion::Motion>()
         .init_resource::<stroke::Cueing>()
         .init_resource::<keys::HeldKey>()
-        .init_resource::<place::Chosen>()
+        .init_resource::<place::Wish>()
         .add_systems(
             PreUpdate,
             (

@@ -16,12 +16,9 @@ use crate::window::action::Action;
 /// Metres a step.
 const STEP: f64 = 0.01;
 
-/// The ball that keys move, and where they have asked for it to be since the last tick.
+/// Where keys have asked for the ball to be since the last tick: which ball, where it was then, and the wish.
 #[derive(Resource, Debug, Default)]
-pub(super) struct Chosen {
-    ball: Option<usize>,
-    wish: Option<(DVec2, DVec2)>,
-}
+pub(super) struct Wish(Option<(usize, DVec2, DVec2)>);
 
 type Balls<'w, 's> = Query<'w, 's, (&'static BallIndex, &'static Position, &'static MotionKind)>;
 
@@ -30,16 +27,16 @@ type Balls<'w, 's> = Query<'w, 's, (&'static BallIndex, &'static Position, &'sta
 pub(super) fn by_keys(
     actions: Actions,
     time: Res<Time<Real>>,
-    practice: Res<Practice>,
+    mut practice: ResMut<Practice>,
     clock: Res<Clock>,
     balls: Balls,
     mut aim: ResMut<Aim>,
     mut held: ResMut<HeldKey>,
-    mut chosen: ResMut<Chosen>,
+    mut wished: ResMut<Wish>,
     mut commands: MessageWriter<PracticeCommand>,
 ) {
     if !practice.placing || clock.moving {
-        *chosen = Chosen::default();
+        wished.0 = None;
         return;
     }
     let mut in_play: Vec<(usize, DVec2)> = balls
@@ -48,8 +45,9 @@ pub(super) fn by_keys(
         .map(|ball| (ball.0.0, DVec2::new(ball.1.0.x, ball.1.0.z)))
         .collect();
     in_play.sort_by_key(|(index, _)| *index);
-    let present = chosen.ball.unwrap_or(aim.ball);
-    let Some(mut at) = in_play.iter().position(|(index, _)| *index == present) else {
+    let present = practice.chosen.unwrap_or(aim.ball);
+    let is = |ball: usize| in_play.iter().position(|(index, _)| *index == ball);
+    let Some(mut at) = is(present).or_else(|| is(aim.ball)) else {
         return;
     };
     for (action, step) in [
@@ -69,10 +67,9 @@ pub(super) fn by_keys(
         }
     }
     let (ball, place) = in_play[at];
-    if chosen.ball != Some(ball) {
-        chosen.wish = None;
+    if practice.chosen != Some(ball) {
+        practice.chosen = Some(ball);
     }
-    chosen.ball = Some(ball);
     let step = STEP * fineness(&actions);
     let mut steps = |more, less| held.steps(&actions, &time, more, less);
     let way = step
@@ -84,12 +81,12 @@ pub(super) fn by_keys(
         return;
     }
     // Between two ticks a wish goes on from the last one; what the table made of it counts from then on.
-    let from = match chosen.wish {
-        Some((seen, wish)) if seen == place => wish,
+    let from = match wished.0 {
+        Some((who, seen, wish)) if who == ball && seen == place => wish,
         _ => place,
     };
     let wish = from + way;
-    chosen.wish = Some((place, wish));
+    wished.0 = Some((ball, place, wish));
     commands.write(PracticeCommand::PlaceBall {
         ball,
         x: wish.x,

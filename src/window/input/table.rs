@@ -20,6 +20,7 @@ pub(super) fn command(
     for (action, command) in [
         (Action::Retry, PracticeCommand::Retry),
         (Action::Undo, PracticeCommand::Undo),
+        (Action::Redo, PracticeCommand::Redo),
         (Action::Rack, PracticeCommand::Rack(next)),
         (Action::InHand, PracticeCommand::CueBallInHand),
     ] {

@@ -49,7 +49,10 @@ pub(super) fn plugin(app: &mut App) {
                 about: None,
             },
             move |mut scenes: MessageWriter<OpenScene>| {
-                scenes.write(OpenScene(scene.name.to_owned()));
+                scenes.write(OpenScene {
+                    name: scene.name.to_owned(),
+                    play: true,
+                });
             },
         );
     }
@@ -91,7 +94,10 @@ fn show(
         let load = egui::Button::new(language.text("load"));
         let load = ui.add_enabled(!name.is_empty(), load).clicked();
         if (load || entered) && !name.is_empty() {
-            scenes.write(OpenScene(name.to_owned()));
+            scenes.write(OpenScene {
+                name: name.to_owned(),
+                play: true,
+            });
             open.close();
         }
     });

@@ -4,6 +4,7 @@ mod match_page;
 mod pad;
 mod settings;
 mod table;
+mod tricks;
 
 use bevy::input::ButtonState;
 use bevy::input::keyboard::{Key, KeyboardInput, NativeKey};

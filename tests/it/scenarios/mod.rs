@@ -8,6 +8,7 @@ mod refusals;
 mod searching;
 mod sensitivities;
 mod sharing;
+mod standing;
 
 use masse::physics::exact::{self, Limits};
 use masse::physics::record::Record;
