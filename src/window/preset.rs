@@ -10,6 +10,7 @@ use crate::game::aim::Aim;
 use crate::game::equip::{ChoosePreset, Equip, OpenScene, PresetInUse, Told};
 use crate::game::practice::Practice;
 use crate::game::saying::Saying;
+use crate::game::turns::Turns;
 use crate::physics::equipment::{BallSet, Equipment};
 use crate::scenarios::{library, preset};
 use crate::sim::messages::LoadScene;
@@ -174,7 +175,7 @@ fn choose(
     }
 }
 
-/// Opens the scene that was asked for. What lay on the table can be undone to.
+/// Opens the scene that was asked for. What lay on the table can be undone to; a match is left.
 #[expect(
     clippy::too_many_arguments,
     reason = "what a scene brings and what it replaces"
@@ -184,6 +185,7 @@ fn lay_out(
     mut followed: ResMut<Followed>,
     mut in_use: ResMut<PresetInUse>,
     mut practice: ResMut<Practice>,
+    mut turns: ResMut<Turns>,
     mut load: MessageWriter<LoadScene>,
     mut told: MessageWriter<Told>,
     aim: Res<Aim>,
@@ -209,6 +211,9 @@ fn lay_out(
             followed.watch(opened.files);
             followed.source = Some(source);
             in_use.0 = opened.preset;
+            if turns.is_on() {
+                *turns = Turns::default();
+            }
             practice.history.laid(snapshot(&playfield, &balls), *aim);
             load.write(LoadScene(scene));
             Ok(Saying::new(key, &[], opened.title))
