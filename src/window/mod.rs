@@ -68,6 +68,8 @@ pub enum WindowSystems {
     Match,
     /// What lies over the panels: help, status. Runs in [`EguiPrimaryContextPass`].
     Overlay,
+    /// Files that were chosen or have changed are taken up. Runs in [`Last`].
+    Files,
 }
 
 /// Everything with pixels or sound, on top of [`SimPlugin`] and [`GamePlugin`].
