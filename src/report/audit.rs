@@ -9,7 +9,7 @@ use glam::{DVec2, DVec3};
 use crate::physics::ball::{Ball, Motion, State};
 use crate::physics::exact::Watch;
 use crate::physics::laws::ball_ball::BallBallLaw;
-use crate::physics::laws::cluster::CONTACT_TIME;
+use crate::physics::laws::cluster::{CONTACT_TIME, STILL};
 use crate::physics::record::{Event, EventKind, Participant, PathPiece, Record};
 use crate::physics::scene::Scene;
 use crate::physics::table::Ground;
@@ -52,6 +52,8 @@ pub struct Audit<'s> {
     most_energy: f64,
     /// Change of momentum at this instant, and how much of it moved at all.
     momentum: (DVec3, f64),
+    /// Momentum of balls at this instant that is too little to tell from rest: such a ball is stopped.
+    still: f64,
     /// Whether anything but two balls met at this instant.
     others: bool,
     /// Whether a ball tipped at the last event.
@@ -78,6 +80,7 @@ impl<'s> Audit<'s> {
             energy: 0.0,
             most_energy: 0.0,
             momentum: (DVec3::ZERO, 0.0),
+            still: 0.0,
             others: false,
             tipped: false,
             worst: Worst::default(),
@@ -224,9 +227,11 @@ impl<'s> Audit<'s> {
         if !self.others && !pressed && moved > 0.0 {
             // Two balls on the slate give what lifts or presses them to the slate.
             let level = DVec3::new(change.x, 0.0, change.z);
-            self.worst.momentum = self.worst.momentum.max(level.length() / moved);
+            let lost = level.length() - self.still;
+            self.worst.momentum = self.worst.momentum.max(lost / moved);
         }
         self.momentum = (DVec3::ZERO, 0.0);
+        self.still = 0.0;
         self.others = false;
     }
 
@@ -257,6 +262,7 @@ impl Watch for Audit<'_> {
         let after = piece.piece.start.velocity;
         self.momentum.0 += mass * (after - before);
         self.momentum.1 += mass * (after.length() + before.length());
+        self.still += mass * 4.0 * STILL;
         self.paths[ball] = *piece;
     }
 }
