@@ -1,5 +1,6 @@
 //! The command line.
 
+mod crowd;
 mod judge;
 mod list;
 mod picture;

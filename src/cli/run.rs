@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use clap::{Args, ValueEnum};
 
 use crate::cli::simulate::simulate;
-use crate::cli::{CommandError, say, to_file, to_stdout};
+use crate::cli::{CommandError, crowd, say, to_file, to_stdout};
 use crate::physics::cue_path::{self, Obstacle};
 use crate::physics::scene::{Scene, Solver, Stepped};
 use crate::report::record_file::Expected;
@@ -75,6 +75,14 @@ pub(super) fn run(options: &RunOptions) -> Result<ExitCode, CommandError> {
         && let Some(note) = cue_note(scene)
     {
         say(&note);
+    }
+    if scene.solver.is_crowd() {
+        if options.out.is_some() || options.picture.is_some() {
+            return Err(CommandError::Usage(
+                "--out and --picture: a crowd is counted, not written down ball by ball".to_owned(),
+            ));
+        }
+        return crowd::run(&options.scene, title, scene, options.quiet);
     }
     let record = simulate(scene)?;
     let outcomes = scenario.judge(&record);

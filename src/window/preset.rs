@@ -15,6 +15,7 @@ use crate::physics::equipment::{BallSet, Equipment};
 use crate::scenarios::{library, preset};
 use crate::sim::messages::LoadScene;
 use crate::sim::playfield::{BallQuery, Playfield, snapshot};
+use crate::window::WindowSystems;
 
 /// How often the files are looked at.
 const LOOK: Duration = Duration::from_millis(300);
@@ -48,7 +49,8 @@ pub(super) fn plugin(app: &mut App) {
             lay_out.run_if(on_message::<OpenScene>),
             follow.run_if(on_real_timer(LOOK)),
         )
-            .chain(),
+            .chain()
+            .in_set(WindowSystems::Files),
     );
 }
 

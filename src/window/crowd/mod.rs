@@ -85,13 +85,14 @@ pub(super) fn plugin(app: &mut App) {
                 scenes::arrive,
                 numbers::follow.run_if(is_crowd),
             )
-                .chain(),
+                .chain()
+                .after(WindowSystems::Files),
         )
         .add_systems(
             EguiPrimaryContextPass,
             panel::show
                 .run_if(in_state(Screen::Table))
-                .after(WindowSystems::Ui)
+                .after(WindowSystems::Scenes)
                 .before(WindowSystems::Overlay),
         );
 }

@@ -18,7 +18,8 @@ fn a_rack_of_5050_is_opened_by_one_ball() {
     assert_eq!(scene.balls.len(), 5051);
     assert!(scene.solver.is_crowd());
     let mut app = stepping::headless_app(&scene);
-    stepping::step(&mut app, 60);
+    // It takes the ball 72 ticks to reach the rack.
+    stepping::step(&mut app, 180);
     let census = app.world().resource::<Census>().clone();
     let still = stepping::states(&mut app)
         .iter()
@@ -44,4 +45,23 @@ fn the_balls_of_the_report_lie_on_a_lattice() {
         .collect();
     let pitch = scene.table.width / 76.0;
     assert!(rows.windows(2).all(|pair| pair[1] > pair[0] - pitch));
+}
+
+/// A crowd on the command line is counted.
+#[test]
+fn the_command_line_counts_a_crowd() {
+    let run = |more: &[&str]| {
+        let mut command = crate::cli::masse();
+        command.args(["run", "crowd-5750", "--time-limit", "0.02"]);
+        command.args(more).output().expect("it runs")
+    };
+    let done = run(&[]);
+    assert_eq!(done.status.code(), Some(0));
+    let line = String::from_utf8(done.stdout).expect("text");
+    let census: serde_json::Value = serde_json::from_str(&line).expect("a line of JSON");
+    assert_eq!(census["balls"], 5750);
+    assert!(census["energy"].as_f64().expect("a number") > 0.0);
+    let refused = run(&["--out", "crowd.jsonl"]);
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&refused.stderr).contains("--out"));
 }

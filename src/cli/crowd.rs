@@ -1,0 +1,62 @@
+//! `masse run` of a crowd: it is counted, not written down ball by ball.
+
+use std::process::ExitCode;
+
+use bevy::prelude::Messages;
+use serde_json::json;
+
+use crate::cli::{CommandError, say, to_stdout};
+use crate::physics::scene::Scene;
+use crate::sim::clock::Clock;
+use crate::sim::messages::Failed;
+use crate::sim::stepped::crowd::Census;
+use crate::sim::stepping;
+
+/// Runs a crowd to rest or to its time limit, and writes its last census as a line of JSON.
+pub(super) fn run(
+    name: &str,
+    title: &str,
+    scene: &Scene,
+    quiet: bool,
+) -> Result<ExitCode, CommandError> {
+    let mut app = stepping::headless_app(scene);
+    loop {
+        stepping::step(&mut app, 1);
+        let mut failures = app.world_mut().resource_mut::<Messages<Failed>>();
+        if let Some(failed) = failures.drain().last() {
+            return Err(CommandError::Unfinished(format!(
+                "the solver stopped at {} s: {}",
+                failed.time, failed.reason
+            )));
+        }
+        let clock = app.world().resource::<Clock>();
+        if !clock.moving || clock.time() >= scene.time_limit {
+            break;
+        }
+    }
+    let (time, census) = (
+        app.world().resource::<Clock>().time(),
+        app.world().resource::<Census>(),
+    );
+    let line = json!({
+        "scene": name,
+        "title": title,
+        "time": time,
+        "balls": census.balls,
+        "awake": census.awake,
+        "contacts": census.contacts_in_all,
+        "energy": census.energy,
+        "momentum": census.momentum,
+        "speed": census.speed,
+        "overlap": census.overlap,
+        "saturated": census.saturated,
+    });
+    if !quiet {
+        to_stdout(|out| writeln!(out, "{line}"))?;
+        say(&format!(
+            "{title}: {} balls, {:.3} s, {} contacts, {:.6} J, deepest overlap {:.1e} m",
+            census.balls, time, census.contacts_in_all, census.energy, census.overlap
+        ));
+    }
+    Ok(ExitCode::SUCCESS)
+}
