@@ -197,6 +197,10 @@ pub(super) type Placed<'w, 's> = Query<
 >;
 
 /// Does what the player asked for.
+#[expect(
+    clippy::too_many_arguments,
+    reason = "a system names everything it reads"
+)]
 pub(super) fn obey(
     mut commands: MessageReader<PracticeCommand>,
     mut practice: ResMut<Practice>,
@@ -204,8 +208,14 @@ pub(super) fn obey(
     mut load: MessageWriter<LoadScene>,
     clock: Res<Clock>,
     playfield: Res<Playfield>,
+    turns: Res<Turns>,
     mut balls: ParamSet<(BallQuery, Placed)>,
 ) {
+    if turns.is_on() {
+        // They were for the match.
+        commands.clear();
+        return;
+    }
     let mut scene = snapshot(&playfield, &balls.p0());
     let mut still = !clock.moving;
     let mut reload = false;

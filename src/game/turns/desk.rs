@@ -21,23 +21,18 @@ const SPEED: f64 = 2.0;
 /// Commands of practice are another thing in a match: a ball put down by hand is the cue ball in hand, going back is
 /// going back in the match, and another table or rack leaves the match.
 pub(super) fn give_way(
-    mut asked: ResMut<Messages<PracticeCommand>>,
+    mut asked: MessageReader<PracticeCommand>,
     mut turns: ResMut<Turns>,
     mut commands: MessageWriter<TurnCommand>,
     mut news: MessageWriter<TurnNews>,
     mut balls: Placed,
 ) {
-    if asked.is_empty() || !turns.is_on() {
-        return;
-    }
-    let mut left = Vec::new();
-    for command in asked.drain() {
-        match command {
-            PracticeCommand::Rack(_) | PracticeCommand::Table(_) => {
-                *turns = Turns::default();
-                left.push(command);
-            }
-            _ if !turns.is_on() => left.push(command),
+    for command in asked.read() {
+        if !turns.is_on() {
+            continue;
+        }
+        match *command {
+            PracticeCommand::Rack(_) | PracticeCommand::Table(_) => *turns = Turns::default(),
             PracticeCommand::Retry | PracticeCommand::Undo => {
                 commands.write(TurnCommand::Undo);
             }
@@ -50,7 +45,6 @@ pub(super) fn give_way(
             PracticeCommand::Redo | PracticeCommand::CueBallInHand => {}
         }
     }
-    asked.write_batch(left);
 }
 
 /// Puts the cue ball down as near to a place as it may lie; in practice any ball.

@@ -19,7 +19,7 @@ pub(super) fn plugin(app: &mut App) {
     app.init_resource::<call::Pointing>()
         .add_plugins((new_match::plugin, report::plugin))
         .add_systems(PreUpdate, call::point.in_set(WindowSystems::Input))
-        .add_systems(PostUpdate, speaker::speak)
+        .add_systems(FixedPostUpdate, speaker::speak)
         .add_systems(RunFixedMainLoop, area::draw.in_set(WindowSystems::Present))
         .add_systems(
             EguiPrimaryContextPass,
