@@ -1,6 +1,6 @@
 //! What a player has set once and for all: language, sizes, sounds, keys. One value, kept in one file.
 //!
-//! [`file`] reads and writes it, the plugin loads it when the program starts and saves it when it has changed.
+//! [`mod@file`] reads and writes it, the plugin loads it when the program starts and saves it when it has changed.
 
 pub mod file;
 mod keep;

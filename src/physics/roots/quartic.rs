@@ -11,7 +11,7 @@
 //! Nothing is divided by a leading coefficient: cubics, quadratics and lines need no case of their own.
 //!
 //! Iterations: quadratic convergence, 3 to 6 in practice; a cluster of m roots costs a factor 1 − 1/m of the distance
-//! each, so 53 / log₂(4/3) = 128 at most for each of three stretches. Beyond [`LIMIT`] the answer is an error.
+//! each, so 53 / log₂(4/3) = 128 at most for each of three stretches. Beyond `LIMIT` the answer is an error.
 
 use crate::physics::roots::{RootError, compensated, quadratic};
 

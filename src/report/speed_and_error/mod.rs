@@ -1,7 +1,7 @@
 //! Speed against error: what each way to advance a table costs, and how far it is off.
 //!
 //! A ladder of scenes, from one ball to thousands, is played by every [`Method`]. The exact solver is the truth that the
-//! others are measured by, up to the [`horizon`] of each scene, beyond which no solver can tell a single shot; from there
+//! others are measured by, up to the horizon of each scene, beyond which no solver can tell a single shot; from there
 //! on the statistics of many shots are compared. For the model of the coursework report the error is its distance from
 //! real physics as the laws of the house have it.
 //!

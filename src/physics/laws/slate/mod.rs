@@ -99,7 +99,7 @@ impl SlateLaw {
     /// The ball after it met an edge that does not yield, with this unit vector from the edge to its centre: as it
     /// would bounce from a slate across that direction. The label of motion is left as it is.
     ///
-    /// A touch that closes at less than [`LEAVE`] leaves at that speed, with energy taken from the motion along the edge:
+    /// A touch that closes at less than `LEAVE` leaves at that speed, with energy taken from the motion along the edge:
     /// a ball that leans on it would touch it ever more often.
     #[must_use]
     pub fn bounce(&self, ball: &Ball, state: &State, normal: DVec3) -> State {
