@@ -1,6 +1,6 @@
 //! A match is agreed on, begun, watched and left with keys alone.
 
-use masse::game::turns::Turns;
+use masse::game::turns::{TurnCommand, Turns};
 use masse::sim::stepping;
 
 use super::*;
@@ -10,7 +10,7 @@ fn turns(app: &App) -> &Turns {
 }
 
 #[test]
-fn a_match_is_begun_and_left_with_keys_alone() {
+fn a_match_is_begun_with_keys_alone() {
     let mut app = app();
     press(&mut app, KeyCode::Escape);
     choose(&mut app, "New match");
@@ -30,8 +30,10 @@ fn a_match_is_begun_and_left_with_keys_alone() {
     press(&mut app, KeyCode::Escape);
     choose(&mut app, "The match");
     assert_eq!(page(&app), Some(PageId("match-report")));
-    choose(&mut app, "Leave the match");
+    press(&mut app, KeyCode::Escape);
+    press(&mut app, KeyCode::Escape);
+    assert_eq!(screen(&app), Screen::Table);
+    app.world_mut().write_message(TurnCommand::Leave);
     stepping::step(&mut app, 2);
     assert!(!turns(&app).is_on());
-    assert_eq!(screen(&app), Screen::Table);
 }
