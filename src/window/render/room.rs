@@ -206,7 +206,8 @@ struct Wall;
 /// Makes the room as large as a table that would not fit into it asks; the floor stays where it is.
 fn widen(playfield: Res<Playfield>, mut walls: Query<&mut Transform, With<Wall>>) {
     let reach = 0.5 * playfield.table.length.max(playfield.table.width) as f32;
-    let scale = (reach / 2.0).max(1.0);
+    // The ceiling stays above the eye that sees the whole table from overhead.
+    let scale = (1.2 * reach - 1.4).max(1.0);
     for mut wall in &mut walls {
         *wall = Transform::from_xyz(0.0, FLOOR as f32 * (scale - 1.0), 0.0)
             .with_scale(Vec3::splat(scale));
