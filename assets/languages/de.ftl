@@ -468,3 +468,161 @@ action-play-trick = Den Kunststoß zeigen
 action-try-trick = Den Kunststoß versuchen
 action-previous-trick = Voriger Kunststoß
 action-next-trick = Nächster Kunststoß
+
+## Was der Schiedsrichter sagt
+list-none = nichts
+list-any = { $first } oder { $last }
+list-all = { $first } und { $last }
+game-8-ball = 8-Ball
+game-9-ball = 9-Ball
+game-10-ball = 10-Ball
+game-14-1 = 14/1 endlos
+game-snooker = Snooker
+game-three-cushion = Dreiband
+game-practice = Freies Training
+level-pip = Hatte zweimal ein Queue in der Hand. Sieht nur gerade Bälle und denkt nicht weiter.
+level-bea = Freitags am Kneipentisch. Kennt Nachläufer und Rückläufer und nimmt den Ball, der noch einen übrig lässt.
+level-lou = Kapitän in der Liga. Probt vor dem Stoß, spielt über Bande, wenn es sein muss, und versteckt die Weiße, wenn nichts geht.
+level-rosa = Lebt unterwegs von ihrem Queue. Effet, Sicherheiten und Wahrscheinlichkeiten.
+level-maestra = Die Hand einer Meisterin und ein Plan für den übernächsten Ball.
+ball-cue = die Weiße
+ball-a-red = eine Rote
+ball-red = die Rote
+ball-yellow = die Gelbe
+ball-green = die Grüne
+ball-brown = die Braune
+ball-blue = die Blaue
+ball-pink = die Pinke
+ball-black = die Schwarze
+ball-white = die weiße Kugel
+ball-named = die { $name }
+ball-unknown = die Kugel Nummer { $number }
+name-cue = Weiße
+name-red = Rot
+name-yellow = Gelb
+name-green = Grün
+name-brown = Braun
+name-blue = Blau
+name-pink = Pink
+name-black = Schwarz
+name-white = Weiß
+pocket-unknown = Nummer { $number }
+rule-scratch = Weiße versenkt
+rule-cue-ball-off = Weiße vom Tisch gestoßen
+rule-no-contact = Keine Kugel getroffen
+rule-wrong-ball = Falsche Kugel zuerst
+rule-no-cushion = Keine Bande nach dem Kontakt
+rule-ball-off = Objektkugel vom Tisch gestoßen
+rule-behind-string = Fehler beim Spiel aus dem Kopffeld
+rule-weak-break = Anstoß ungenügend
+rule-potted-not-on = Kugel versenkt, die nicht an der Reihe war
+rule-together = Zwei Kugeln zugleich getroffen
+rule-jump = Sprungstoß
+rule-push = Durchgeschoben
+rule-free-ball = Snooker hinter dem Freiball
+rule-wrong-cue-ball = Falsche Spielkugel
+rule-into-frozen = Gegen eine press liegende Kugel gespielt
+foul-scratch = { rule-scratch }: die Weiße fiel in die Tasche { $pocket }.
+foul-cue-ball-off = { rule-cue-ball-off }: die Weiße verließ den Tisch.
+foul-no-contact = { rule-no-contact }: die Weiße traf keine andere Kugel.
+foul-wrong-ball = { rule-wrong-ball }: die Weiße traf zuerst { $hit }, an der Reihe war { $on }.
+foul-no-cushion = { rule-no-cushion }: keine Kugel fiel, und keine erreichte nach dem Kontakt eine Bande.
+foul-ball-off = { rule-ball-off }: { $ball } verließ den Tisch.
+foul-behind-string = { rule-behind-string }: die Weiße, aus der Hand im Kopffeld gespielt, traf { $ball }, ohne vorher die Kopflinie zu überqueren.
+foul-weak-break = { rule-weak-break }: keine Kugel fiel, und { $driven ->
+    [one] { $driven } Kugel erreichte
+   *[other] { $driven } Kugeln erreichten
+} eine Bande; nötig waren { $needed }.
+foul-potted-not-on = { rule-potted-not-on }: { $ball } fiel und war nicht an der Reihe.
+foul-together = { rule-together }: die Weiße traf { $one } und { $other } zugleich, und nicht beide waren an der Reihe.
+foul-jump = { rule-jump }: die Weiße flog über { $ball }.
+foul-push = { rule-push }: { $ball } berührte die Weiße und wurde vom Stoß bewegt.
+foul-free-ball = { rule-free-ball }: der Gegner liegt im Snooker hinter dem Freiball: { $ball }.
+foul-wrong-cue-ball = { rule-wrong-cue-ball }: das Queue traf { $ball }.
+foul-into-frozen = { rule-into-frozen }: die Spielkugel wurde gegen { $ball } gestoßen, obwohl beide sich berührten.
+note-solids = { $name } hat die Vollen.
+note-stripes = { $name } hat die Halben.
+note-two-fouls = { $name } hat zwei Fouls in Folge; ein drittes wird teuer.
+note-three-fouls = { $name } verliert { $points ->
+    [one] { $points } Punkt
+   *[other] { $points } Punkte
+} für drei Fouls in Folge.
+note-illegal-break = Beim Anstoß fiel nichts, und { $driven ->
+    [one] nur { $driven } Kugel erreichte
+   *[other] nur { $driven } Kugeln erreichten
+} eine Bande.
+note-three-point-break = Der Anstoß brachte { $points ->
+    [one] { $points } Punkt
+   *[other] { $points } Punkte
+}, nötig sind drei.
+note-stalemate-warning = Lange ist nichts gefallen; geht das so weiter, wird neu angestoßen.
+note-stalemate = Niemand kommt voran: es wird neu angestoßen.
+note-not-called = { $count ->
+    [one] Nicht angesagt: { $balls } fiel; der Gegner ist dran.
+   *[other] Nicht angesagt: { $balls } fielen; der Gegner ist dran.
+}
+note-safety = Sicherheit angesagt: der Gegner ist dran.
+note-penalty = { $points ->
+    [one] { $points } Punkt
+   *[other] { $points } Punkte
+} für die andere Seite.
+note-miss = Foul und Miss.
+note-misses = Foul und Miss, { $count } in Folge bei voller Sicht auf eine Kugel.
+note-free-ball = Freiball.
+note-respotted-black = Es steht unentschieden: die Schwarze wird noch einmal aufgesetzt.
+note-put-back = Zurückgelegt: { $ball }; sie hing zu lange, bevor sie fiel.
+note-rerack = Die anderen Kugeln werden neu aufgebaut, die Serie geht weiter.
+note-equalising-inning = { $name } hat noch eine Aufnahme zum Ausgleich.
+over-won = { $name } gewinnt: { $why }.
+over-drawn = Niemand gewinnt: { $why }.
+over-winning-ball = { $ball } ist gefallen, wie es sein muss
+over-losing-ball = { $ball } fiel oder verließ den Tisch, als es nicht sein durfte
+over-three-fouls = drei Fouls in Folge
+over-three-misses = drei Misses in Folge bei voller Sicht auf eine Kugel
+over-points = { $points ->
+    [one] { $points } Punkt ist erreicht
+   *[other] { $points } Punkte sind erreicht
+}
+over-innings = { $innings ->
+    [one] { $innings } Aufnahme ist gespielt
+   *[other] { $innings } Aufnahmen sind gespielt
+}
+over-last-ball = die letzte Kugel ist weg
+over-conceded = die andere Seite hat aufgegeben
+choice-accept = Weiterspielen, wie es liegt
+choice-in-hand = Weiße in die Hand nehmen
+choice-break = Neu aufbauen und selbst anstoßen
+choice-they-break = Neu aufbauen, der andere stößt an
+choice-hand-back = Den anderen spielen lassen
+choice-put-back = Kugeln zurücklegen, der andere spielt noch einmal
+choice-spot = Die Kugeln aufsetzen, die sich berühren
+choice-go-first = Beginnen
+choice-go-second = Den anderen beginnen lassen
+match-chosen = { $name }: { $choice }
+refused-now = Jetzt nicht möglich: { $why }.
+refused-outside = Die Weiße muss innerhalb der Linie liegen.
+refused-no-room = Dort ist kein Platz für die Kugel.
+refused-call = Das darf jetzt nicht angesagt werden.
+refused-choice = Das stand nicht zur Wahl.
+refused-too-far = Es gibt keinen Stoß mehr, der zurückgenommen werden könnte.
+refused-other = Das geht nicht: { $reason }.
+hindrance-to-choose = erst ist etwas zu wählen
+hindrance-to-play = erst kommt ein Stoß
+hindrance-rack-over = das Rack ist zu Ende
+hindrance-match-over = die Partie ist zu Ende
+hindrance-not-in-hand = die Weiße ist nicht in der Hand
+hindrance-not-the-cue-ball = nur eine Weiße in der Hand darf bewegt werden
+hindrance-not-agreed = es war nicht ausgemacht
+hindrance-no-practice = das ist kein Training
+hindrance-not-their-turn = jemand anders ist am Tisch
+hindrance-no-match = es läuft keine Partie
+match-no-level = Es gibt keinen Computerspieler namens { $name }.
+match-stuck = Der Computerspieler kommt nicht weiter: { $reason }
+match-not-saved-here = Partien werden hier nicht gespeichert.
+match-not-resumed = Die gespeicherte Partie lässt sich nicht lesen; die Datei bleibt, wie sie ist. { $reason }
+match-not-begun = Die Partie kann nicht beginnen: { $reason }
+match-no-shot = Es gibt keinen Stoß Nummer { $number }.
+match-not-shown = Der Stoß lässt sich nicht wiederholen: { $reason }
+notice-match-kept = Eine ältere Partie ließ sich nicht ersetzen und bleibt als { $kept } erhalten. { $reason }
+notice-match-unsaved = Die Partie konnte nicht gespeichert werden. Sie geht weiter und wird gespeichert, sobald das möglich ist. { $reason }
+notice-match-saved-again = Die Partie ist wieder gespeichert.

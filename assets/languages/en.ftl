@@ -468,3 +468,161 @@ action-play-trick = Show the trick shot
 action-try-trick = Try the trick shot
 action-previous-trick = Previous trick shot
 action-next-trick = Next trick shot
+
+## What the referee says
+list-none = nothing
+list-any = { $first } or { $last }
+list-all = { $first } and { $last }
+game-8-ball = 8-ball
+game-9-ball = 9-ball
+game-10-ball = 10-ball
+game-14-1 = Straight pool (14.1 continuous)
+game-snooker = Snooker
+game-three-cushion = Three-cushion
+game-practice = Free practice
+level-pip = Has held a cue twice. Sees straight pots only and thinks of nothing after them.
+level-bea = Friday nights at the bar table. Knows follow and draw, and picks the shot that leaves another.
+level-lou = League captain. Rehearses before shooting, banks when it must, and hides the cue ball when nothing goes.
+level-rosa = Lives on the road by her cue. English, safeties and percentages.
+level-maestra = The hand of a champion, and a plan for the ball after the next.
+ball-cue = the cue ball
+ball-a-red = a red
+ball-red = the red
+ball-yellow = the yellow
+ball-green = the green
+ball-brown = the brown
+ball-blue = the blue
+ball-pink = the pink
+ball-black = the black
+ball-white = the white
+ball-named = the { $name }
+ball-unknown = ball number { $number }
+name-cue = cue ball
+name-red = red
+name-yellow = yellow
+name-green = green
+name-brown = brown
+name-blue = blue
+name-pink = pink
+name-black = black
+name-white = white
+pocket-unknown = number { $number }
+rule-scratch = Cue ball pocketed
+rule-cue-ball-off = Cue ball driven off the table
+rule-no-contact = No ball hit
+rule-wrong-ball = Wrong ball first
+rule-no-cushion = No cushion after contact
+rule-ball-off = Object ball driven off the table
+rule-behind-string = Bad play from behind the head string
+rule-weak-break = Break requirements not met
+rule-potted-not-on = Ball not on potted
+rule-together = Two balls struck together
+rule-jump = Jump shot
+rule-push = Push stroke
+rule-free-ball = Snookered behind the free ball
+rule-wrong-cue-ball = Wrong cue ball
+rule-into-frozen = Frozen ball shot into
+foul-scratch = { rule-scratch }: the cue ball fell into the { $pocket } pocket.
+foul-cue-ball-off = { rule-cue-ball-off }: the cue ball left the table.
+foul-no-contact = { rule-no-contact }: the cue ball met no other ball.
+foul-wrong-ball = { rule-wrong-ball }: the cue ball met { $hit } first, on was { $on }.
+foul-no-cushion = { rule-no-cushion }: no ball was pocketed, and none reached a cushion after the contact.
+foul-ball-off = { rule-ball-off }: { $ball } left the table.
+foul-behind-string = { rule-behind-string }: from in hand behind the head string the cue ball met { $ball } without crossing the string first.
+foul-weak-break = { rule-weak-break }: no ball was pocketed and { $driven ->
+    [one] { $driven } ball
+   *[other] { $driven } balls
+} reached a cushion, { $needed } were needed.
+foul-potted-not-on = { rule-potted-not-on }: { $ball } was pocketed and was not on.
+foul-together = { rule-together }: the cue ball met { $one } and { $other } at once, and they were not both on.
+foul-jump = { rule-jump }: the cue ball passed over { $ball }.
+foul-push = { rule-push }: { $ball } touched the cue ball and was moved by the stroke.
+foul-free-ball = { rule-free-ball }: the opponent was left snookered behind the free ball, { $ball }.
+foul-wrong-cue-ball = { rule-wrong-cue-ball }: the cue struck { $ball }.
+foul-into-frozen = { rule-into-frozen }: the cue ball was shot into { $ball }, which was frozen to it.
+note-solids = { $name } has the solids.
+note-stripes = { $name } has the stripes.
+note-two-fouls = { $name } has made two fouls in a row; a third costs dearly.
+note-three-fouls = { $name } loses { $points ->
+    [one] { $points } point
+   *[other] { $points } points
+} for three fouls in a row.
+note-illegal-break = The break pocketed nothing and drove { $driven ->
+    [one] { $driven } ball
+   *[other] { $driven } balls
+} to a cushion.
+note-three-point-break = The break made { $points ->
+    [one] { $points } point
+   *[other] { $points } points
+}, three are needed.
+note-stalemate-warning = Nothing has fallen for long; if that goes on, the rack is broken again.
+note-stalemate = Nobody makes progress: the rack is broken again.
+note-not-called = { $count ->
+    [one] Not called: { $balls } fell; the turn passes.
+   *[other] Not called: { $balls } fell; the turn passes.
+}
+note-safety = A safety: the turn passes.
+note-penalty = { $points ->
+    [one] { $points } point
+   *[other] { $points } points
+} for the other side.
+note-miss = Foul and a miss.
+note-misses = Foul and a miss, { $count } in a row with a ball in full view.
+note-free-ball = Free ball.
+note-respotted-black = The scores are level: the black is spotted again.
+note-put-back = Put back: { $ball }, which had hung too long when it fell.
+note-rerack = The other balls are racked again and the run goes on.
+note-equalising-inning = { $name } has a last inning to draw level.
+over-won = { $name } wins: { $why }.
+over-drawn = Nobody wins: { $why }.
+over-winning-ball = { $ball } was pocketed as it must be
+over-losing-ball = { $ball } fell or left the table when it must not
+over-three-fouls = three fouls in a row
+over-three-misses = three misses in a row with a ball in full view
+over-points = { $points ->
+    [one] { $points } point was reached
+   *[other] { $points } points were reached
+}
+over-innings = { $innings ->
+    [one] { $innings } inning was played
+   *[other] { $innings } innings were played
+}
+over-last-ball = the last ball is gone
+over-conceded = the other side gave up
+choice-accept = Play from here
+choice-in-hand = Take the cue ball in hand
+choice-break = Rack again and break
+choice-they-break = Rack again, the other player breaks
+choice-hand-back = Let the other player play
+choice-put-back = Put the balls back, the other player plays again
+choice-spot = Spot the balls that touch
+choice-go-first = Go first
+choice-go-second = Let the other player go first
+match-chosen = { $name }: { $choice }
+refused-now = Not possible now: { $why }.
+refused-outside = The cue ball must be put down within the line.
+refused-no-room = There is no room for the ball.
+refused-call = That may not be called now.
+refused-choice = That was not offered.
+refused-too-far = There is no shot left to take back.
+refused-other = That is not possible: { $reason }.
+hindrance-to-choose = there is something to choose first
+hindrance-to-play = a stroke comes first
+hindrance-rack-over = the rack is over
+hindrance-match-over = the match is over
+hindrance-not-in-hand = the cue ball is not in hand
+hindrance-not-the-cue-ball = only a cue ball in hand may be moved
+hindrance-not-agreed = it was not agreed on
+hindrance-no-practice = this is no practice
+hindrance-not-their-turn = another player is at the table
+hindrance-no-match = no match is on
+match-no-level = There is no computer player called { $name }.
+match-stuck = The computer player cannot go on: { $reason }
+match-not-saved-here = Matches are not saved here.
+match-not-resumed = The saved match cannot be read; the file stays as it is. { $reason }
+match-not-begun = The match cannot be begun: { $reason }
+match-no-shot = There is no shot number { $number }.
+match-not-shown = The shot cannot be played again: { $reason }
+notice-match-kept = An older save could not be replaced and is kept as { $kept }. { $reason }
+notice-match-unsaved = The match could not be saved. It goes on, and is saved as soon as that is possible. { $reason }
+notice-match-saved-again = The match is saved again.

@@ -468,3 +468,161 @@ action-play-trick = Montrer le coup
 action-try-trick = Tenter le coup
 action-previous-trick = Coup précédent
 action-next-trick = Coup suivant
+
+## Ce que dit l'arbitre
+list-none = rien
+list-any = { $first } ou { $last }
+list-all = { $first } et { $last }
+game-8-ball = Jeu de la 8
+game-9-ball = Jeu de la 9
+game-10-ball = Jeu de la 10
+game-14-1 = 14/1 continu
+game-snooker = Snooker
+game-three-cushion = Trois bandes
+game-practice = Entraînement libre
+level-pip = A tenu une queue deux fois. Ne voit que les billes droites et ne pense pas plus loin.
+level-bea = Les vendredis au bar. Connaît coulé et rétro et choisit le coup qui en laisse un autre.
+level-lou = Capitaine de ligue. Répète avant de jouer, passe par la bande s'il le faut et cache la blanche quand rien ne va.
+level-rosa = Vit de sa queue, sur la route. Effets, défenses et pourcentages.
+level-maestra = La main d'une championne, et un plan pour la bille d'après la suivante.
+ball-cue = la blanche
+ball-a-red = une rouge
+ball-red = la rouge
+ball-yellow = la jaune
+ball-green = la verte
+ball-brown = la marron
+ball-blue = la bleue
+ball-pink = la rose
+ball-black = la noire
+ball-white = la bille blanche
+ball-named = la { $name }
+ball-unknown = la bille numéro { $number }
+name-cue = blanche
+name-red = rouge
+name-yellow = jaune
+name-green = verte
+name-brown = marron
+name-blue = bleue
+name-pink = rose
+name-black = noire
+name-white = blanche
+pocket-unknown = numéro { $number }
+rule-scratch = Blanche empochée
+rule-cue-ball-off = Blanche sortie de la table
+rule-no-contact = Aucune bille touchée
+rule-wrong-ball = Mauvaise bille en premier
+rule-no-cushion = Pas de bande après le contact
+rule-ball-off = Bille de but sortie de la table
+rule-behind-string = Faute en jouant de derrière la ligne de tête
+rule-weak-break = Casse insuffisante
+rule-potted-not-on = Bille non jouable empochée
+rule-together = Deux billes touchées à la fois
+rule-jump = Coup sauté
+rule-push = Coup poussé
+rule-free-ball = Snooker derrière la bille libre
+rule-wrong-cue-ball = Mauvaise bille de choc
+rule-into-frozen = Joué contre une bille collée
+foul-scratch = { rule-scratch } : la blanche est tombée dans la poche { $pocket }.
+foul-cue-ball-off = { rule-cue-ball-off } : la blanche a quitté la table.
+foul-no-contact = { rule-no-contact } : la blanche n'a rencontré aucune autre bille.
+foul-wrong-ball = { rule-wrong-ball } : la blanche a d'abord rencontré { $hit }, il fallait { $on }.
+foul-no-cushion = { rule-no-cushion } : aucune bille n'est tombée et aucune n'a touché de bande après le contact.
+foul-ball-off = { rule-ball-off } : { $ball } a quitté la table.
+foul-behind-string = { rule-behind-string } : jouée en main de derrière la ligne de tête, la blanche a rencontré { $ball } sans franchir d'abord la ligne.
+foul-weak-break = { rule-weak-break } : aucune bille n'est tombée et { $driven ->
+    [one] { $driven } bille a touché
+   *[other] { $driven } billes ont touché
+} une bande ; il en fallait { $needed }.
+foul-potted-not-on = { rule-potted-not-on } : { $ball } est tombée et n'était pas jouable.
+foul-together = { rule-together } : la blanche a rencontré { $one } et { $other } à la fois, et toutes deux n'étaient pas jouables.
+foul-jump = { rule-jump } : la blanche est passée par-dessus { $ball }.
+foul-push = { rule-push } : { $ball } touchait la blanche et a été déplacée par le coup.
+foul-free-ball = { rule-free-ball } : l'adversaire est snooké derrière la bille libre : { $ball }.
+foul-wrong-cue-ball = { rule-wrong-cue-ball } : la queue a frappé { $ball }.
+foul-into-frozen = { rule-into-frozen } : la bille de choc a été jouée contre { $ball }, qui y était collée.
+note-solids = { $name } a les pleines.
+note-stripes = { $name } a les rayées.
+note-two-fouls = { $name } a fait deux fautes de suite ; une troisième coûte cher.
+note-three-fouls = { $name } perd { $points ->
+    [one] { $points } point
+   *[other] { $points } points
+} pour trois fautes de suite.
+note-illegal-break = La casse n'a rien empoché et { $driven ->
+    [one] { $driven } bille seulement a touché
+   *[other] { $driven } billes seulement ont touché
+} une bande.
+note-three-point-break = La casse a fait { $points ->
+    [one] { $points } point
+   *[other] { $points } points
+}, il en faut trois.
+note-stalemate-warning = Rien n'est tombé depuis longtemps ; si cela continue, on casse de nouveau.
+note-stalemate = Personne n'avance : on casse de nouveau.
+note-not-called = { $count ->
+    [one] Non annoncée : { $balls } est tombée ; la main passe.
+   *[other] Non annoncées : { $balls } sont tombées ; la main passe.
+}
+note-safety = Défense annoncée : la main passe.
+note-penalty = { $points ->
+    [one] { $points } point
+   *[other] { $points } points
+} pour l'autre camp.
+note-miss = Faute et miss.
+note-misses = Faute et miss, { $count } de suite avec une bille en pleine vue.
+note-free-ball = Bille libre.
+note-respotted-black = Égalité : la noire est remise en place.
+note-put-back = Remise : { $ball }, restée trop longtemps au bord avant de tomber.
+note-rerack = Les autres billes sont replacées et la série continue.
+note-equalising-inning = { $name } a une dernière reprise pour égaliser.
+over-won = { $name } gagne : { $why }.
+over-drawn = Personne ne gagne : { $why }.
+over-winning-ball = { $ball } a été empochée comme il faut
+over-losing-ball = { $ball } est tombée ou a quitté la table quand il ne fallait pas
+over-three-fouls = trois fautes de suite
+over-three-misses = trois miss de suite avec une bille en pleine vue
+over-points = { $points ->
+    [one] { $points } point atteint
+   *[other] { $points } points atteints
+}
+over-innings = { $innings ->
+    [one] { $innings } reprise jouée
+   *[other] { $innings } reprises jouées
+}
+over-last-ball = la dernière bille est tombée
+over-conceded = l'autre camp a abandonné
+choice-accept = Jouer d'ici
+choice-in-hand = Prendre la blanche en main
+choice-break = Replacer les billes et casser
+choice-they-break = Replacer les billes, l'autre casse
+choice-hand-back = Laisser jouer l'autre
+choice-put-back = Remettre les billes, l'autre rejoue
+choice-spot = Replacer les billes qui se touchent
+choice-go-first = Commencer
+choice-go-second = Laisser l'autre commencer
+match-chosen = { $name } : { $choice }
+refused-now = Impossible maintenant : { $why }.
+refused-outside = La blanche doit être posée à l'intérieur de la ligne.
+refused-no-room = Il n'y a pas de place pour la bille.
+refused-call = Cela ne peut pas être annoncé maintenant.
+refused-choice = Ce choix n'était pas proposé.
+refused-too-far = Il ne reste aucun coup à reprendre.
+refused-other = C'est impossible : { $reason }.
+hindrance-to-choose = il faut d'abord choisir
+hindrance-to-play = il faut d'abord jouer
+hindrance-rack-over = la manche est finie
+hindrance-match-over = la partie est finie
+hindrance-not-in-hand = la blanche n'est pas en main
+hindrance-not-the-cue-ball = seule une blanche en main peut être déplacée
+hindrance-not-agreed = ce n'était pas convenu
+hindrance-no-practice = ce n'est pas un entraînement
+hindrance-not-their-turn = un autre joueur est à la table
+hindrance-no-match = aucune partie en cours
+match-no-level = Il n'y a pas de joueur ordinateur nommé { $name }.
+match-stuck = Le joueur ordinateur ne peut pas continuer : { $reason }
+match-not-saved-here = Les parties ne sont pas enregistrées ici.
+match-not-resumed = La partie enregistrée est illisible ; le fichier reste tel quel. { $reason }
+match-not-begun = La partie ne peut pas commencer : { $reason }
+match-no-shot = Il n'y a pas de coup numéro { $number }.
+match-not-shown = Le coup ne peut pas être rejoué : { $reason }
+notice-match-kept = Une partie plus ancienne n'a pas pu être remplacée et reste sous { $kept }. { $reason }
+notice-match-unsaved = La partie n'a pas pu être enregistrée. Elle continue et le sera dès que possible. { $reason }
+notice-match-saved-again = La partie est de nouveau enregistrée.

@@ -5,6 +5,7 @@ use std::fs;
 use std::path::Path;
 
 use fluent_bundle::FluentValue;
+use masse::game::rules::{Game, wording};
 use masse::game::saying::Saying;
 use masse::physics::table::Preset;
 use masse::scenarios::{library, preset};
@@ -155,6 +156,7 @@ fn composed() -> BTreeSet<String> {
             .iter()
             .map(|cloth| format!("cloth-{}", cloth.name)),
     );
+    keys.extend(Game::all().iter().map(|game| wording::title(game).key));
     for table in Preset::NAMED {
         let pockets = table.table().pockets;
         keys.extend(

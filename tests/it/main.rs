@@ -28,6 +28,8 @@ mod practice;
 mod presets;
 mod properties;
 mod record_files;
+#[cfg(feature = "window")]
+mod referee_words;
 mod reference;
 mod rules;
 mod same_bits;

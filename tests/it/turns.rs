@@ -103,7 +103,7 @@ fn refusals(app: &mut App) -> Vec<String> {
     let news = news.drain();
     news.filter_map(|news| match news {
         TurnNews::Refused(refused) => Some(refused.to_string()),
-        TurnNews::Failed(why) => Some(why),
+        TurnNews::Failed(why) => Some(why.english),
         _ => None,
     })
     .collect()
@@ -231,6 +231,9 @@ fn a_match_saves_itself_and_goes_on_where_it_was() {
     strike(&mut app, shot);
     let played = turns(&app).game().expect("a match").clone();
     assert_eq!(played.shots().len(), 1);
+    // Whoever ends the program waits for the last save.
+    app.world_mut().write_message(AppExit::Success);
+    app.update();
 
     let mut fresh = table();
     ask(&mut fresh, TurnCommand::Resume);
@@ -239,6 +242,43 @@ fn a_match_saves_itself_and_goes_on_where_it_was() {
     ask(&mut fresh, TurnCommand::Resume);
     assert_eq!(turns(&fresh).game(), Some(&played));
     assert_eq!(lies(&stepping::scene(&mut fresh)), lies(&played.table()));
+}
+
+#[test]
+fn a_folder_that_cannot_be_written_is_told_of_once_and_loses_nothing() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let place = folder.path().join("matches");
+    std::fs::write(&place, "a file where the folder should be").expect("the test may write");
+    let mut app = table();
+    app.insert_resource(MatchStore(Some(Store::in_folder(&place))));
+    let mut agreed = setup("9-ball", [person("Ada"), person("Bob")]);
+    agreed.race = 2;
+    begin(&mut app, agreed);
+    let told = |app: &mut App| {
+        // A save may still be under way.
+        for _ in 0..200 {
+            std::thread::sleep(Duration::from_millis(5));
+            app.update();
+            let mut news = app.world_mut().resource_mut::<Messages<TurnNews>>();
+            let news: Vec<TurnNews> = news.drain().collect();
+            let again = news.iter().any(|news| matches!(news, TurnNews::SavedAgain));
+            let unsaved = news
+                .iter()
+                .any(|news| matches!(news, TurnNews::NotSaved(_)));
+            if again || unsaved {
+                return Some(again);
+            }
+        }
+        None
+    };
+    ask(&mut app, TurnCommand::Concede);
+    assert_eq!(told(&mut app), Some(false), "it cannot be saved");
+    assert_eq!(turns(&app).game().map(|game| game.ends().len()), Some(1));
+    std::fs::remove_file(&place).expect("the test may remove");
+    ask(&mut app, TurnCommand::NextRack);
+    assert_eq!(told(&mut app), Some(true), "it can be saved again");
+    let saved = Store::in_folder(&place).load("autosave").expect("whole");
+    assert_eq!(Some(&saved), turns(&app).game());
 }
 
 #[test]

@@ -1,111 +1,17 @@
 //! What players do to a match.
 
 use glam::{DVec2, DVec3};
-use thiserror::Error;
 
-use crate::game::matches::{Lie, Match, Phase, PlayedShot, RackEnd, Setup, rack_seed};
+use crate::game::matches::{
+    Hindrance, Lie, Match, NoPlace, Phase, PlayedShot, RackEnd, Refused, Setup, rack_seed,
+};
 use crate::game::placing;
 use crate::game::rules::{Call, CallNeeded, Choice, Game, GameState, Over, Reason, Verdict};
 use crate::physics::ball::State;
 use crate::physics::cue::Shot;
 use crate::physics::record::Record;
-use crate::physics::scene::{PlannedShot, Scene, SceneError};
+use crate::physics::scene::{PlannedShot, Scene};
 use crate::physics::table::Table;
-
-/// Why something is not done. The match is then as it was.
-#[derive(Clone, Debug, Error, PartialEq)]
-pub enum Refused {
-    /// The wrong number of players.
-    #[error("players: {given} players, {game} is for {least} to {most}")]
-    Players {
-        /// The game.
-        game: &'static str,
-        /// Players given.
-        given: usize,
-        /// Least.
-        least: usize,
-        /// Most.
-        most: usize,
-    },
-    /// A player's index that is none.
-    #[error("{field}: there is no player number {player}, there are {count}")]
-    NoSuchPlayer {
-        /// The field.
-        field: &'static str,
-        /// Index given.
-        player: usize,
-        /// Number of players.
-        count: usize,
-    },
-    /// No rack to win.
-    #[error("race: 0 racks, at least 1 is needed")]
-    NoRace,
-    /// The table does not fit the game.
-    #[error("table: {pockets} pockets, {game} is played on a table {with} pockets")]
-    Table {
-        /// The game.
-        game: &'static str,
-        /// Pockets of the table.
-        pockets: usize,
-        /// `with` or `without`.
-        with: &'static str,
-    },
-    /// The scene cannot be played.
-    #[error(transparent)]
-    Scene(SceneError),
-    /// It is not the time for this.
-    #[error("{what} is not possible now: {now}")]
-    NotNow {
-        /// What was tried.
-        what: &'static str,
-        /// What the match waits for.
-        now: &'static str,
-    },
-    /// The cue ball may not lie there.
-    #[error("cue ball: it may not be put down at x {x} m, z {z} m: {why}")]
-    Place {
-        /// Place in m.
-        x: f64,
-        /// Place in m.
-        z: f64,
-        /// Why.
-        why: &'static str,
-    },
-    /// Something that may not be called now.
-    #[error("call: {call:?} may not be called now")]
-    Call {
-        /// The call.
-        call: Call,
-    },
-    /// A choice that was not offered.
-    #[error("choice: {choice:?} was not offered")]
-    Choice {
-        /// The choice.
-        choice: Choice,
-    },
-    /// A record of other balls.
-    #[error("record: it has {given} balls, the table has {count}")]
-    Record {
-        /// Balls in the record.
-        given: usize,
-        /// Balls on the table.
-        count: usize,
-    },
-    /// Seconds that are none.
-    #[error("thought: {seconds} s is no time")]
-    Thought {
-        /// The seconds.
-        seconds: f64,
-    },
-    /// Too many shots to take back.
-    #[error("undo: {asked} shots, {played} have been played")]
-    TooFar {
-        /// Shots to take back.
-        asked: usize,
-        /// Shots played.
-        played: usize,
-    },
-}
 
 impl Setup {
     /// Whether players, race and table fit the game.
@@ -166,10 +72,10 @@ impl Match {
             return Ok(());
         }
         let now = match is {
-            Phase::Choose => "there is something to choose first",
-            Phase::Play => "a stroke comes first",
-            Phase::RackOver => "the rack is over",
-            Phase::Over { .. } => "the match is over",
+            Phase::Choose => Hindrance::ToChoose,
+            Phase::Play => Hindrance::ToPlay,
+            Phase::RackOver => Hindrance::RackOver,
+            Phase::Over { .. } => Hindrance::MatchOver,
         };
         Err(Refused::NotNow { what, now })
     }
@@ -183,7 +89,7 @@ impl Match {
         let Some(area) = self.state.standing.in_hand else {
             return Err(Refused::NotNow {
                 what: "placing the cue ball",
-                now: "it is not in hand",
+                now: Hindrance::NotInHand,
             });
         };
         let (x, z) = (at.x, at.y);
@@ -191,10 +97,10 @@ impl Match {
         let mut table = self.table();
         let cue = self.state.cue_ball(&table);
         if !area.allows(at) {
-            return refuse("outside the area");
+            return refuse(NoPlace::Outside);
         }
         if !placing::is_free(&table, cue, at) {
-            return refuse("no room");
+            return refuse(NoPlace::NoRoom);
         }
         let height = table.balls[cue].ball.radius;
         table.balls[cue].state = State::at_rest(DVec3::new(x, height, z));
@@ -307,7 +213,7 @@ impl Match {
         if !matches!(self.phase(), Phase::Play | Phase::Choose) {
             return Err(Refused::NotNow {
                 what: "giving up",
-                now: "the rack is over",
+                now: Hindrance::RackOver,
             });
         }
         let standing = &mut self.state.standing;
@@ -348,7 +254,7 @@ impl Match {
         if !self.setup.may_undo() {
             return Err(Refused::NotNow {
                 what: "taking back a shot",
-                now: "it was not agreed on",
+                now: Hindrance::NotAgreed,
             });
         }
         let played = self.shots.len();
@@ -378,12 +284,12 @@ impl Match {
         if !matches!(self.setup.game, Game::FreePractice(_)) {
             return Err(Refused::NotNow {
                 what: "moving balls",
-                now: "this is no practice",
+                now: Hindrance::NoPractice,
             });
         }
         let mut table: Scene = self.table();
         if !placing::is_free(&table, ball, at) {
-            let why = "no room";
+            let why = NoPlace::NoRoom;
             return Err(Refused::Place { x, z, why });
         }
         let height = table.balls[ball].ball.radius;

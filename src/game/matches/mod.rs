@@ -6,13 +6,15 @@
 
 mod check;
 mod inputs;
+mod refusals;
 pub mod saved;
+pub mod saver;
 pub mod session;
 mod shots;
 pub mod statistics;
 pub mod store;
 
-pub use inputs::Refused;
+pub use refusals::{Hindrance, NoPlace, Refused};
 pub use saved::SavedError;
 pub use session::Session;
 pub use shots::{Lie, PlayedShot};

@@ -2,29 +2,27 @@
 
 use glam::DVec2;
 
-use crate::game::matches::store::{AUTOSAVE, Saved, Store, StoreError};
+use crate::game::matches::saver::{Outcome, Saver};
+use crate::game::matches::store::{AUTOSAVE, Store};
 use crate::game::matches::{Match, Refused, SavedError};
 use crate::game::rules::{Choice, Verdict};
 use crate::physics::cue::Shot;
 use crate::physics::record::Record;
 
-/// A match at play, with the store that it is saved to after every shot and every choice.
+/// A match at play, saved after every shot and every choice. Saving is done beside the game; the last save is waited for
+/// when the session is dropped.
 #[derive(Debug)]
 pub struct Session {
     game: Match,
-    store: Option<Store>,
-    last_save: Option<Result<Saved, StoreError>>,
+    saver: Option<Saver>,
 }
 
 impl Session {
     /// Begins with a match. Without a store nothing is saved.
     #[must_use]
     pub fn new(game: Match, store: Option<Store>) -> Self {
-        Self {
-            game,
-            store,
-            last_save: None,
-        }
+        let saver = store.map(Saver::new);
+        Self { game, saver }
     }
 
     /// Goes on with the match that saved itself last.
@@ -43,13 +41,23 @@ impl Session {
         &self.game
     }
 
-    /// What came of the last save: where it is, or why there is none. Taken away by asking.
-    pub fn last_save(&mut self) -> Option<Result<Saved, StoreError>> {
-        self.last_save.take()
+    /// What came of the saves since this was asked last: where they are, or why there are none.
+    #[must_use]
+    pub fn saves(&self) -> Vec<Outcome> {
+        self.saver.as_ref().map(Saver::outcomes).unwrap_or_default()
     }
 
-    fn save(&mut self) {
-        self.last_save = self.store.as_ref().map(|store| store.autosave(&self.game));
+    /// Waits for the last save.
+    pub fn finish_saving(&self) {
+        if let Some(saver) = &self.saver {
+            saver.finish();
+        }
+    }
+
+    fn save(&self) {
+        if let Some(saver) = &self.saver {
+            saver.save(&self.game);
+        }
     }
 
     /// As [`Match::played`], and saves.

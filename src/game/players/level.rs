@@ -42,6 +42,8 @@ pub struct Skills {
 pub struct Level {
     /// Its name.
     pub name: &'static str,
+    /// The key of what it is like, for the window to translate.
+    pub key: &'static str,
     /// How it plays, in a sentence.
     pub about: &'static str,
     /// What the errors of `FastFiz` are multiplied with, see [`Noise`].
@@ -83,6 +85,7 @@ impl Level {
     pub const ALL: [Self; 5] = [
         Self {
             name: "Pip",
+            key: "level-pip",
             about: "Has held a cue twice. Sees straight pots only and thinks of nothing after them.",
             noise: 2.9,
             skills: Skills {
@@ -105,6 +108,7 @@ impl Level {
         },
         Self {
             name: "Bea",
+            key: "level-bea",
             about: "Friday nights at the bar table. Knows follow and draw, and picks the shot that leaves another.",
             noise: 2.5,
             skills: Skills {
@@ -127,6 +131,7 @@ impl Level {
         },
         Self {
             name: "Lou",
+            key: "level-lou",
             about: "League captain. Rehearses before shooting, banks when it must, and hides the cue ball when nothing goes.",
             noise: 1.5,
             skills: Skills {
@@ -149,6 +154,7 @@ impl Level {
         },
         Self {
             name: "Rosa",
+            key: "level-rosa",
             about: "Lives on the road by her cue. English, safeties and percentages.",
             noise: 0.9,
             skills: Skills {
@@ -171,6 +177,7 @@ impl Level {
         },
         Self {
             name: "Maestra",
+            key: "level-maestra",
             about: "The hand of a champion, and a plan for the ball after the next.",
             noise: 0.25,
             skills: Skills {

@@ -16,7 +16,8 @@ use crate::game::players::contest::execute;
 use crate::game::players::{Level, Plan, Progress, Thinking};
 use crate::game::replay::Replay;
 use crate::game::rules::Choice;
-use crate::game::turns::{TurnNews, Turns, level_name, tell_save};
+use crate::game::saying::Saying;
+use crate::game::turns::{TurnNews, Turns, level_name};
 use crate::physics::cue::Shot;
 use crate::sim::clock::Clock;
 use crate::sim::messages::{LoadScene, Strike};
@@ -176,8 +177,10 @@ pub(super) fn play(
             AtTheCue::think(session.game(), level)
         } else {
             let name = level_name(session.game()).unwrap_or_default();
-            news.write(TurnNews::Failed(format!(
-                "there is no computer player called `{name}`"
+            news.write(TurnNews::Failed(Saying::of(
+                "match-no-level",
+                vec![("name", name.into())],
+                "There is no computer player called {name}.",
             )));
             AtTheCue {
                 stage: Stage::Stuck,
@@ -237,12 +240,15 @@ pub(super) fn play(
                 }
                 Err(why) => Err(why),
             };
-            tell_save(session, &mut news);
             match done {
                 Ok(Some(stage)) => computer.stage = stage,
                 Ok(None) => turns.computer = None,
                 Err(why) => {
-                    news.write(TurnNews::Failed(why));
+                    news.write(TurnNews::Failed(Saying::of(
+                        "match-stuck",
+                        vec![("reason", why.as_str().into())],
+                        "The computer player cannot go on: {reason}",
+                    )));
                     computer.stage = Stage::Stuck;
                 }
             }

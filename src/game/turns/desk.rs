@@ -4,12 +4,14 @@ use bevy::prelude::*;
 use glam::DVec2;
 
 use crate::game::aim::Aim;
-use crate::game::matches::{Match, Mind, Phase, PlayedShot, Refused, Session};
+use crate::game::matches::{Hindrance, Match, Mind, Phase, PlayedShot, Refused, Session};
 use crate::game::placing;
 use crate::game::practice::{BREAK_SPEED, Placed, PracticeCommand, put_down};
 use crate::game::replay::{Playback, Replay};
 use crate::game::rules::Game;
-use crate::game::turns::{MatchStore, TurnCommand, TurnNews, Turns, is_computers, tell_save};
+use crate::game::saying::Saying;
+use crate::game::turns::saves::let_go;
+use crate::game::turns::{MatchStore, TurnCommand, TurnNews, Turns, is_computers};
 use crate::physics::cue::Shot;
 use crate::physics::exact::{Limits, solve};
 use crate::sim::clock::Clock;
@@ -32,7 +34,7 @@ pub(super) fn give_way(
             continue;
         }
         match *command {
-            PracticeCommand::Rack(_) | PracticeCommand::Table(_) => *turns = Turns::default(),
+            PracticeCommand::Rack(_) | PracticeCommand::Table(_) => let_go(&mut turns, &mut news),
             PracticeCommand::Retry | PracticeCommand::Undo => {
                 commands.write(TurnCommand::Undo);
             }
@@ -69,7 +71,7 @@ fn place(turns: &mut Turns, ball: usize, at: DVec2, balls: &mut Placed) -> Resul
     } else {
         return Err(Refused::NotNow {
             what: "moving this ball",
-            now: "only a cue ball in hand may be moved",
+            now: Hindrance::NotTheCueBall,
         });
     }
     put_down(balls, &session.game().table(), ball);
@@ -104,19 +106,30 @@ pub(super) fn obey(
             },
             TurnCommand::Resume => {
                 let Some(store) = store.0.clone() else {
-                    news.write(TurnNews::Failed("matches are not saved here".to_owned()));
+                    news.write(TurnNews::Failed(Saying::new(
+                        "match-not-saved-here",
+                        &[],
+                        "Matches are not saved here.",
+                    )));
                     continue;
                 };
+                if let Some(session) = &turns.session {
+                    session.finish_saving();
+                }
                 match Session::resume(store) {
                     Ok(session) => begin(turns, session, &mut news),
                     Err(error) => {
-                        news.write(TurnNews::Failed(error.to_string()));
+                        news.write(TurnNews::Failed(Saying::of(
+                            "match-not-resumed",
+                            vec![("reason", error.to_string().as_str().into())],
+                            "The saved match cannot be read; the file stays as it is. {reason}",
+                        )));
                         continue;
                     }
                 }
             }
             TurnCommand::Leave => {
-                *turns = Turns::default();
+                let_go(turns, &mut news);
                 continue;
             }
             TurnCommand::Hurry => {
@@ -144,11 +157,9 @@ pub(super) fn obey(
         if matches!(command, TurnCommand::Call(_)) {
             continue;
         }
-        let Some(session) = &mut turns.session else {
+        let Some(game) = turns.game() else {
             continue;
         };
-        tell_save(session, &mut news);
-        let game = session.game();
         let is_new = before != Some((game.rack(), game.shots().len()));
         if is_new || !matches!(command, TurnCommand::Concede) {
             load.write(LoadScene(game.table()));
@@ -160,10 +171,8 @@ pub(super) fn obey(
 }
 
 fn begin(turns: &mut Turns, session: Session, news: &mut MessageWriter<TurnNews>) {
-    *turns = Turns {
-        session: Some(session),
-        ..Turns::default()
-    };
+    let_go(turns, news);
+    turns.session = Some(session);
     news.write(TurnNews::Begun);
 }
 
@@ -176,7 +185,7 @@ fn ask(
     let Some(session) = &mut turns.session else {
         return Err(Refused::NotNow {
             what: "this",
-            now: "no match is on",
+            now: Hindrance::NoMatch,
         });
     };
     let theirs = is_computers(session.game())
@@ -185,7 +194,7 @@ fn ask(
         TurnCommand::Call(_) | TurnCommand::Choose(_) | TurnCommand::Concede if theirs => {
             return Err(Refused::NotNow {
                 what: "this",
-                now: "another player is at the table",
+                now: Hindrance::NotTheirTurn,
             });
         }
         TurnCommand::Call(call) => session.input(|game| game.call(*call))?,
@@ -216,11 +225,17 @@ fn ask(
 }
 
 /// Shows a shot again: its scene is solved once more, to the same bits.
-fn watch(turns: &Turns, shot: usize, replay: &mut Replay) -> Result<(), String> {
+fn watch(turns: &Turns, shot: usize, replay: &mut Replay) -> Result<(), Saying> {
     let Some(scene) = turns.game().and_then(|game| game.replay(shot)) else {
-        return Err(format!("there is no shot number {shot}"));
+        let values = vec![("number", (shot + 1).into())];
+        let english = "There is no shot number {number}.";
+        return Err(Saying::of("match-no-shot", values, english));
     };
-    let mut record = solve(&scene, Limits::default()).map_err(|error| error.to_string())?;
+    let mut record = solve(&scene, Limits::default()).map_err(|error| {
+        let values = vec![("reason", error.to_string().as_str().into())];
+        let english = "The shot cannot be played again: {reason}";
+        Saying::of("match-not-shown", values, english)
+    })?;
     // When it is over the balls lie as the match left them, not as this shot did.
     if let Some(game) = turns.game() {
         let states = game.table().balls.iter().map(|ball| ball.state).collect();

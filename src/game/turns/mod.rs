@@ -8,15 +8,19 @@
 mod computer;
 mod desk;
 mod referee;
+mod saves;
+
+use std::path::PathBuf;
 
 use bevy::prelude::*;
 
-use crate::game::matches::store::{Saved, StoreError};
-use crate::game::matches::{Match, Mind, Phase, Refused, Session, Setup, Store};
+use crate::game::matches::store::StoreError;
+use crate::game::matches::{Match, Mind, Phase, Refused, SavedError, Session, Setup, Store};
 use crate::game::players::Progress;
 use crate::game::practice::{obey, settle, take_up};
 use crate::game::replay::leave;
 use crate::game::rules::{Call, Choice, Verdict};
+use crate::game::saying::Saying;
 use crate::physics::cue::Shot;
 use crate::physics::scene::Scene;
 use crate::sim::SimSystems;
@@ -35,6 +39,8 @@ pub struct Turns {
     said: Option<(usize, Verdict)>,
     /// Whether the cue is to be taken up for the table that was laid out.
     cue_is_due: bool,
+    /// Why the last save failed, if it did.
+    unsaved: Option<String>,
 }
 
 /// Where matches are saved; nowhere by default.
@@ -88,11 +94,18 @@ pub enum TurnNews {
     /// Something was not allowed.
     Refused(Refused),
     /// Something went wrong; the match is as it was.
-    Failed(String),
-    /// The match was saved, and a file that could not be replaced was put aside; the sentence tells which.
-    PutAside(String),
-    /// The match could not be saved; it goes on.
+    Failed(Saying),
+    /// The match was saved, and a file that could not be replaced was put aside.
+    PutAside {
+        /// Where it is now.
+        kept: PathBuf,
+        /// Why it could not be replaced.
+        why: SavedError,
+    },
+    /// The match could not be saved; it goes on, and every shot tries again.
     NotSaved(StoreError),
+    /// The match is saved again after it could not be.
+    SavedAgain,
 }
 
 impl Turns {
@@ -164,22 +177,6 @@ fn is_computers(game: &Match) -> bool {
     level_name(game).is_some()
 }
 
-/// Tells what came of saving.
-fn tell_save(session: &mut Session, news: &mut MessageWriter<TurnNews>) {
-    match session.last_save() {
-        Some(Ok(Saved {
-            put_aside: Some((path, why)),
-            ..
-        })) => {
-            news.write(TurnNews::PutAside(format!("{}: {why}", path.display())));
-        }
-        Some(Err(error)) => {
-            news.write(TurnNews::NotSaved(error));
-        }
-        _ => {}
-    }
-}
-
 /// A person may strike now: a run condition for whatever moves the cue.
 #[must_use]
 pub fn may_strike(turns: Res<Turns>) -> bool {
@@ -207,10 +204,16 @@ pub(super) fn plugin(app: &mut App) {
                     .chain()
                     .after(take_up)
                     .before(SimSystems::Strike),
-                (referee::begin, referee::judge, referee::recover)
+                (
+                    referee::begin,
+                    referee::judge,
+                    referee::recover,
+                    saves::tell,
+                )
                     .chain()
                     .after(settle)
                     .in_set(SimSystems::Judge),
             ),
-        );
+        )
+        .add_systems(Last, saves::finish.run_if(on_message::<AppExit>));
 }

@@ -2,7 +2,7 @@
 
 use bevy::prelude::*;
 
-use crate::game::turns::{TurnNews, Turns, tell_save};
+use crate::game::turns::{TurnNews, Turns};
 use crate::physics::record::EndReason;
 use crate::sim::messages::{AtRest, Failed, LoadScene, Strike, Struck};
 use crate::sim::recorder::Recorder;
@@ -70,7 +70,6 @@ pub(super) fn judge(
             news.write(TurnNews::Refused(refused));
         }
     }
-    tell_save(session, &mut news);
     load.write(LoadScene(session.game().table()));
     turns.cue_is_due = true;
     turns.since = time.elapsed_secs_f64();

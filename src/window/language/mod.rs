@@ -10,7 +10,7 @@ use bevy::ecs::message::MessageUpdateSystems;
 use bevy::prelude::*;
 use fluent_bundle::FluentValue;
 
-use crate::game::saying::Saying;
+use crate::game::saying::{Saying, Value};
 use crate::game::settings::Settings;
 use texts::Texts;
 
@@ -100,18 +100,62 @@ impl Language {
             .unwrap_or_else(|| key.to_owned())
     }
 
-    /// A sentence of a room without pixels.
+    /// A sentence of a room without pixels, with those that follow it.
     #[must_use]
     pub fn say(&self, saying: &Saying) -> String {
         let values: Vec<(&str, FluentValue)> = saying
             .values
             .iter()
-            .map(|(name, value)| (*name, value.as_str().into()))
+            .map(|(name, value)| (*name, self.value(value)))
             .collect();
         let of = |texts: &Texts| texts.filled(&saying.key, &values);
-        of(&self.0.own)
+        let mut said = of(&self.0.own)
             .or_else(|| of(&self.0.english))
-            .unwrap_or_else(|| saying.english.clone())
+            .unwrap_or_else(|| saying.english.clone());
+        for next in &saying.then {
+            said.push('\n');
+            said.push_str(&self.say(next));
+        }
+        said
+    }
+
+    /// Whether this language itself, and not English in its place, has the words for a sentence and everything in it.
+    #[must_use]
+    pub fn knows(&self, saying: &Saying) -> bool {
+        let parts = saying.values.iter().flat_map(|(_, value)| match value {
+            Value::Text(_) | Value::Number(_) => [].as_slice(),
+            Value::Saying(part) => std::slice::from_ref(&**part),
+            Value::AnyOf(parts) | Value::AllOf(parts) => parts.as_slice(),
+        });
+        let values: Vec<(&str, FluentValue)> = saying
+            .values
+            .iter()
+            .map(|(name, value)| (*name, self.value(value)))
+            .collect();
+        self.0.own.filled(&saying.key, &values).is_some()
+            && parts.chain(&saying.then).all(|part| self.knows(part))
+    }
+
+    fn value(&self, value: &Value) -> FluentValue<'static> {
+        match value {
+            Value::Text(text) => text.clone().into(),
+            Value::Number(number) => (*number).into(),
+            Value::Saying(saying) => self.say(saying).into(),
+            Value::AnyOf(list) => self.enumerated(list, "list-any").into(),
+            Value::AllOf(list) => self.enumerated(list, "list-all").into(),
+        }
+    }
+
+    fn enumerated(&self, list: &[Saying], key: &str) -> String {
+        let mut names: Vec<String> = list.iter().map(|saying| self.say(saying)).collect();
+        let Some(last) = names.pop() else {
+            return self.text("list-none").to_owned();
+        };
+        if names.is_empty() {
+            return last;
+        }
+        let values = [("first", names.join(", ").into()), ("last", last.into())];
+        self.with(key, &values)
     }
 }
 

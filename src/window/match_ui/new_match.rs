@@ -5,7 +5,8 @@ use bevy_egui::egui;
 
 use crate::game::matches::{Breaks, Mind, Player, Setup};
 use crate::game::players::Level;
-use crate::game::rules::Game;
+use crate::game::rules::{Game, wording};
+use crate::game::saying::Saying;
 use crate::game::turns::{MatchStore, TurnCommand, TurnNews, Turns};
 use crate::physics::scene::{Scene, Solver};
 use crate::scenarios::preset;
@@ -129,7 +130,7 @@ fn show(
     ui.label(language.text("match-game"));
     ui.horizontal_wrapped(|ui| {
         for (index, game) in games.iter().enumerate() {
-            let title = game.rules().code().title;
+            let title = language.say(&wording::title(game));
             ui.selectable_value(&mut draft.game, index, title);
         }
     });
@@ -156,7 +157,7 @@ fn show(
             );
             for (level, known) in Level::ALL.iter().enumerate() {
                 ui.selectable_value(&mut draft.levels[index], Some(level), known.name)
-                    .on_hover_text(known.about);
+                    .on_hover_text(language.text(known.key));
             }
         });
     }
@@ -191,7 +192,10 @@ fn show(
                     open.close();
                 }
                 Err(error) => {
-                    news.write(TurnNews::Failed(error));
+                    let values = vec![("reason", error.as_str().into())];
+                    let english = "The match cannot be begun: {reason}";
+                    let failed = Saying::of("match-not-begun", values, english);
+                    news.write(TurnNews::Failed(failed));
                 }
             }
         }

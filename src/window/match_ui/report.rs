@@ -4,6 +4,7 @@ use bevy::prelude::*;
 use bevy_egui::egui;
 
 use crate::game::matches::Phase;
+use crate::game::rules::wording;
 use crate::game::turns::{TurnCommand, Turns};
 use crate::window::language::Language;
 use crate::window::page::{AddPages, Open, Page, PageId};
@@ -34,7 +35,7 @@ fn show(
         return;
     };
     let setup = game.setup();
-    ui.label(setup.game.rules().code().title);
+    ui.label(language.say(&wording::title(&setup.game)));
     let figures = game.statistics();
     egui::Grid::new("figures").striped(true).show(ui, |ui| {
         ui.label("");
@@ -87,9 +88,11 @@ fn show(
             let player = names.get(shot.player()).map_or("", String::as_str);
             let mut parts = vec![format!("{}. {player}", index + 1)];
             let made = shot.made.iter();
-            parts.extend(made.map(|ball| format!("+{}", scene.balls[*ball].name)));
-            parts.extend(shot.fouls.iter().map(|foul| foul.rule().to_owned()));
-            parts.extend(shot.over.iter().map(|over| over.sentence(&scene, &names)));
+            let made = made.map(|ball| language.say(&wording::ball_alone(&scene, *ball)));
+            parts.extend(made.map(|ball| format!("+{ball}")));
+            parts.extend(shot.fouls.iter().map(|foul| language.say(&foul.rule())));
+            let over = shot.over.iter();
+            parts.extend(over.map(|over| language.say(&over.saying(&scene, &names))));
             ui.label(parts.join(" · "));
         });
     }

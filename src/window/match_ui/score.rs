@@ -5,7 +5,7 @@ use bevy_egui::{EguiContexts, egui};
 
 use crate::game::matches::{Match, Phase};
 use crate::game::replay::Replay;
-use crate::game::rules::{Call, CallNeeded};
+use crate::game::rules::{Call, CallNeeded, wording};
 use crate::game::turns::{TurnCommand, Turns};
 use crate::window::language::Language;
 use crate::window::match_ui::call::Pointing;
@@ -47,7 +47,7 @@ pub(super) fn show(
                         Some(Phase::Choose) => {
                             ui.horizontal_wrapped(|ui| {
                                 for choice in &game.state().standing.choices {
-                                    if ui.button(choice.label()).clicked() {
+                                    if ui.button(language.say(&choice.saying())).clicked() {
                                         commands.write(TurnCommand::Choose(*choice));
                                     }
                                 }
@@ -113,12 +113,10 @@ fn score(ui: &mut egui::Ui, game: &Match, language: &Language) {
     });
     if standing.over.is_none() {
         let (table, on) = (game.table(), game.targets());
-        let mut names: Vec<&str> = on
-            .first
+        let names: Vec<String> = wording::alone(&table, &on.first)
             .iter()
-            .map(|ball| table.balls[*ball].name.as_str())
+            .map(|name| language.say(name))
             .collect();
-        names.dedup_by_key(|name| name.split(' ').next());
         if !names.is_empty() && names.len() < 16 {
             let balls = names.join(", ");
             ui.weak(language.with("match-on", &[("balls", balls.into())]));
@@ -167,9 +165,10 @@ fn before_the_stroke(
             let said = match called {
                 Call::Pot { ball, pocket } => format!(
                     "{} → {}",
-                    table.balls[ball].name, table.table.pockets[pocket].name
+                    language.say(&wording::ball_alone(&table, ball)),
+                    language.say(&wording::pocket(&table, pocket))
                 ),
-                Call::Nominate { ball } => table.balls[ball].name.clone(),
+                Call::Nominate { ball } => language.say(&wording::ball_alone(&table, ball)),
                 _ => String::new(),
             };
             ui.strong(said);
@@ -191,7 +190,7 @@ fn before_the_stroke(
         }
     });
     if pointing.on && on.call_needed != CallNeeded::No {
-        chosen_by_name(ui, game, pointing, commands);
+        chosen_by_name(ui, game, language, pointing, commands);
         ui.weak(language.text("match-call-hint"));
     }
 }
@@ -200,6 +199,7 @@ fn before_the_stroke(
 fn chosen_by_name(
     ui: &mut egui::Ui,
     game: &Match,
+    language: &Language,
     pointing: &mut Pointing,
     commands: &mut MessageWriter<TurnCommand>,
 ) {
@@ -207,10 +207,8 @@ fn chosen_by_name(
     ui.horizontal_wrapped(|ui| {
         for ball in &on.pot {
             let chosen = pointing.ball == Some(*ball);
-            if ui
-                .selectable_label(chosen, &table.balls[*ball].name)
-                .clicked()
-            {
+            let name = language.say(&wording::ball_alone(&table, *ball));
+            if ui.selectable_label(chosen, name).clicked() {
                 pointing.ball = Some(*ball);
             }
         }
@@ -219,7 +217,7 @@ fn chosen_by_name(
         ui.horizontal_wrapped(|ui| {
             for pocket in &on.pockets {
                 let chosen = pointing.pocket == Some(*pocket);
-                let name = &table.table.pockets[*pocket].name;
+                let name = language.say(&wording::pocket(&table, *pocket));
                 if ui.selectable_label(chosen, name).clicked() {
                     pointing.pocket = Some(*pocket);
                 }

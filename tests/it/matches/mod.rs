@@ -1,5 +1,6 @@
 //! Matches: turns, racks, statistics, undo, replays, and what becomes of them on disk.
 
+mod beside;
 mod damage;
 mod played;
 mod random;

@@ -163,7 +163,7 @@ fn at_snooker_the_cue_ball_in_hand_stays_in_the_d() {
         assert!(matches!(
             refused,
             Err(Refused::Place {
-                why: "outside the area",
+                why: masse::game::matches::NoPlace::Outside,
                 ..
             })
         ));

@@ -72,10 +72,9 @@ fn a_session_saves_itself_after_every_shot_and_goes_on_from_there() {
         };
         let record = solve(&session.game().scene_with(shot), Limits::default()).expect("played");
         session.played(shot, &record, 0.5).expect("a stroke is due");
-        let saved = session
-            .last_save()
-            .expect("it has a store")
-            .expect("it can be written");
+        session.finish_saving();
+        let saved = session.saves().pop().expect("it has a store");
+        let saved = saved.expect("it can be written");
         assert_eq!(saved.path, store.path(AUTOSAVE).expect("a name"));
         let resumed = Session::resume(store.clone()).expect("it is whole");
         assert_eq!(resumed.game(), session.game());
@@ -83,13 +82,16 @@ fn a_session_saves_itself_after_every_shot_and_goes_on_from_there() {
     }
     let concede = session.input(masse::game::matches::Match::concede);
     assert_eq!(concede, Ok(()));
+    // The last save is waited for.
+    drop(session);
     assert_eq!(store.load(AUTOSAVE).expect("whole").ends().len(), 1);
     // Without a store a match is played all the same.
     let mut loose = Session::new(begin(&Game::named("9-ball").expect("9-ball"), 3, 1), None);
     loose
         .input(masse::game::matches::Match::concede)
         .expect("the rack is on");
-    assert!(loose.last_save().is_none());
+    loose.finish_saving();
+    assert!(loose.saves().is_empty());
 }
 
 #[test]

@@ -120,7 +120,7 @@ fn notes_ends_and_choices_are_said_with_the_names_of_the_players() {
             Note::NotCalled {
                 balls: vec![ball("3"), ball("1")],
             },
-            "The 1 and the 3 fell without being called; the turn passes.",
+            "Not called: the 1 and the 3 fell; the turn passes.",
         ),
         (
             Note::Miss { in_a_row: 2 },
@@ -148,5 +148,5 @@ fn notes_ends_and_choices_are_said_with_the_names_of_the_players() {
         drawn.sentence(&scene, &names),
         "Nobody wins: 40 points were reached."
     );
-    assert_ne!(Choice::Break.label(), Choice::TheyBreak.label());
+    assert_ne!(Choice::Break.saying(), Choice::TheyBreak.saying());
 }
