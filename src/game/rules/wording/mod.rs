@@ -92,12 +92,11 @@ pub fn ball(scene: &Scene, ball: usize) -> Saying {
         let values = vec![("number", ball.into())];
         return Saying::of("ball-unknown", values, "ball number {number}");
     };
-    match known(&placed.name) {
-        Some(Known { within, .. }) => Saying::new(within.0, &[], within.1),
-        None => {
-            let values = vec![("name", placed.name.as_str().into())];
-            Saying::of("ball-named", values, "the {name}")
-        }
+    if let Some(Known { within, .. }) = known(&placed.name) {
+        Saying::new(within.0, &[], within.1)
+    } else {
+        let values = vec![("name", placed.name.as_str().into())];
+        Saying::of("ball-named", values, "the {name}")
     }
 }
 
@@ -114,15 +113,12 @@ pub fn ball_alone(scene: &Scene, ball: usize) -> Saying {
 /// A pocket, as `side left`.
 #[must_use]
 pub fn pocket(scene: &Scene, pocket: usize) -> Saying {
-    match scene.table.pockets.get(pocket) {
-        Some(pocket) => {
-            let key = format!("pocket-{}", pocket.name.replace(' ', "-"));
-            Saying::new(key, &[], pocket.name.as_str())
-        }
-        None => {
-            let values = vec![("number", pocket.into())];
-            Saying::of("pocket-unknown", values, "number {number}")
-        }
+    if let Some(pocket) = scene.table.pockets.get(pocket) {
+        let key = format!("pocket-{}", pocket.name.replace(' ', "-"));
+        Saying::new(key, &[], pocket.name.as_str())
+    } else {
+        let values = vec![("number", pocket.into())];
+        Saying::of("pocket-unknown", values, "number {number}")
     }
 }
 
@@ -158,12 +154,11 @@ pub fn alone(scene: &Scene, balls: &[usize]) -> Vec<Saying> {
 
 /// Somebody by name; players without one are counted.
 fn who(names: &[String], player: usize) -> Value {
-    match names.get(player).filter(|name| !name.is_empty()) {
-        Some(name) => name.as_str().into(),
-        None => {
-            let values = vec![("number", (player + 1).into())];
-            Saying::of("match-player", values, "Player {number}").into()
-        }
+    if let Some(name) = names.get(player).filter(|name| !name.is_empty()) {
+        name.as_str().into()
+    } else {
+        let values = vec![("number", (player + 1).into())];
+        Saying::of("match-player", values, "Player {number}").into()
     }
 }
 

@@ -8,6 +8,7 @@ use crate::physics::scene::Scene;
 impl Note {
     /// What it says, in a sentence; `names` are those of the players.
     #[must_use]
+    #[expect(clippy::too_many_lines, reason = "one arm for each note")]
     pub fn saying(&self, scene: &Scene, names: &[String]) -> Saying {
         let player = |player: &usize| ("name", who(names, *player));
         let none = Vec::new;
