@@ -11,6 +11,9 @@ use crate::physics::table::{Cushion, Ground};
 /// Overlap in m that still counts as touching: rounding of positions written in a file.
 pub const OVERLAP_TOLERANCE: f64 = 1e-9;
 
+/// A ball whose centre comes nearer than this share of its radius to the nose line passes over the nose, or under it.
+const LEAST_REACH: f64 = 0.1;
+
 /// Most cells of a grid: more would cost memory and find nothing sooner.
 const MOST_CELLS: f64 = 1e6;
 
@@ -236,8 +239,9 @@ impl Scene {
             // One that begins in the air comes down.
             let nose_height = self.table.nose_height;
             let reach = self.table.nose.reach_at(nose_height, radius, radius);
-            if reach.is_none() && !self.table.cushions.is_empty() {
-                return Err(SceneError::UnderNose {
+            let held = reach.is_some_and(|reach| reach >= LEAST_REACH * radius);
+            if !held && !self.table.cushions.is_empty() {
+                return Err(SceneError::NotHeld {
                     ball: name(),
                     radius,
                     nose_height,

@@ -138,11 +138,11 @@ pub enum SceneError {
         /// Radius, m.
         radius: f64,
     },
-    /// The noses pass over a ball.
+    /// The noses do not hold a ball: it passes over them, or under.
     #[error(
-        "balls: `{ball}`: radius {radius} m: the noses, {nose_height} m high, would pass over it"
+        "balls: `{ball}`: radius {radius} m: the noses, {nose_height} m high, would not hold it"
     )]
-    UnderNose {
+    NotHeld {
         /// The ball.
         ball: String,
         /// Radius, m.

@@ -5,6 +5,7 @@
 //! again for ever.
 
 mod command_lines;
+mod kept;
 mod places;
 mod saved_cases;
 mod saved_tables;

@@ -74,14 +74,14 @@ fn a_ball_on_wood_is_refused() {
 
 /// A ball under the noses met them with its very centre, where there is no normal, and was nowhere afterwards.
 #[test]
-fn a_ball_that_passes_under_the_noses_is_refused() {
+fn a_ball_that_no_nose_holds_is_refused() {
     let refused = lying(0.8, 0.0, 0.01).check();
     assert!(
-        matches!(refused, Err(SceneError::UnderNose { .. })),
+        matches!(refused, Err(SceneError::NotHeld { .. })),
         "{refused:?}"
     );
     // Nor may it come down from the air: it met a nose a million times within an instant.
     let mut scene = lying(0.0, 0.0, 0.01);
     scene.balls[0].state.position.y += 0.17;
-    assert!(matches!(scene.check(), Err(SceneError::UnderNose { .. })));
+    assert!(matches!(scene.check(), Err(SceneError::NotHeld { .. })));
 }

@@ -114,7 +114,7 @@ pub fn damaged(text: &str, damages: &[Damage]) -> String {
 }
 
 /// The texts of all files in a folder of assets.
-fn assets(folder: &str) -> Vec<String> {
+pub fn assets(folder: &str) -> Vec<String> {
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("assets")
         .join(folder);
@@ -133,7 +133,11 @@ fn assets(folder: &str) -> Vec<String> {
 fn names_its_file(error: &impl ToString) -> Result<(), String> {
     let message = error.to_string();
     // A file that the text names in turn may not be there.
-    if message.contains("damaged") || message.contains("os error") {
+    if message.contains("damaged")
+        || ["os error", "file name"]
+            .iter()
+            .any(|what| message.contains(what))
+    {
         Ok(())
     } else {
         Err(format!("the message names no file: {message}"))

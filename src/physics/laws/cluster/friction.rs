@@ -9,15 +9,10 @@ use crate::physics::laws::cluster::{Against, Cluster, STILL};
 
 impl Cluster {
     /// Adds the friction of one contact to the changes: what its law does beyond the normal impulse.
-    pub(super) fn rub(&mut self, laws: &Laws, place: usize, inelastic: bool) {
+    pub(super) fn rub(&mut self, laws: &Laws, place: usize) {
         let contact = self.contacts[self.component[place]];
         let closing = self.closing(&contact);
-        let bounce = if inelastic {
-            0.0
-        } else {
-            Self::restitution(&contact, laws, closing)
-        };
-        let impulse = (1.0 + bounce) * self.system.impulse[place];
+        let impulse = (1.0 + self.bounces[place]) * self.system.impulse[place];
         if closing <= STILL || impulse <= 0.0 {
             return;
         }

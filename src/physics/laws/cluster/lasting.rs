@@ -99,7 +99,8 @@ impl Cluster {
             let age = ages(self.members[contact.first].ball, self.other(&contact));
             let again = closing < SLOW && age < CONTACT_TIME;
             if again && closing > 0.0 {
-                self.contacts[index].restitution = Some(1.0);
+                // Unless the caller has had enough of its bounces.
+                self.contacts[index].restitution.get_or_insert(1.0);
             }
             // What meets without closing is pressed together.
             let pressed = index == 0 && closing <= STILL;

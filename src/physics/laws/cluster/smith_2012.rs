@@ -3,7 +3,8 @@
 //! In rounds. All contacts that close at this moment are taken together and reflected: λ are the impulses that would
 //! just stop them (see `complementarity`), and (1 + e) λ is what passes. Contacts that begin to close by that are the
 //! next round. So two balls struck at once leave as mirror images, while a blow runs through a touching row from ball
-//! to ball as in Newton's cradle. For e ≤ 1 no round adds energy. Contacts that share no ball are rounds of their own
+//! to ball as in Newton's cradle. With one e ≤ 1 for all no round adds energy; contacts of different e that hold each other,
+//! as of a light ball between a heavy one and a cushion, could, and then the larger ones count less. Contacts that share no ball are rounds of their own
 //! law, friction and all. Where contacts share a ball, friction of each follows its law for the impulse it
 //! transmits and the slip before the round, and is scaled back if together they would add energy.
 //!
@@ -41,6 +42,7 @@ pub struct Cluster {
     active: Vec<usize>,
     group: Vec<usize>,
     pub(super) component: Vec<usize>,
+    pub(super) bounces: Vec<f64>,
     pub(super) changes: Vec<(DVec3, DVec3)>,
 }
 
@@ -188,29 +190,64 @@ impl Cluster {
     fn reflect(&mut self, laws: &Laws, parting: &[f64], inelastic: bool, friction: bool) {
         self.assemble(parting);
         self.system.solve();
+        self.agree(laws, inelastic);
         let before: f64 = self.energy();
         self.changes.clear();
         self.changes
             .resize(self.members.len(), (DVec3::ZERO, DVec3::ZERO));
         if friction {
             for place in 0..self.component.len() {
-                self.rub(laws, place, inelastic);
+                self.rub(laws, place);
             }
         }
         for place in 0..self.component.len() {
             let index = self.component[place];
             let contact = self.contacts[index];
-            let bounce = if inelastic {
-                0.0
-            } else {
-                Self::restitution(&contact, laws, self.system.closing[place])
-            };
-            let impulse = (1.0 + bounce) * self.system.impulse[place];
+            let impulse = (1.0 + self.bounces[place]) * self.system.impulse[place];
             self.contacts[index].impulse += impulse;
             self.push(&contact, impulse);
         }
         if friction {
             self.add_friction(before);
+        }
+    }
+
+    /// The restitutions of the component. The energy that a reflection adds is ½ (εᵀAε − λᵀAλ), ε = e λ by contact, where
+    /// all e are alike at most 0; where they are not they are drawn to the least of them until it is.
+    fn agree(&mut self, laws: &Laws, inelastic: bool) {
+        self.bounces.clear();
+        for (place, &index) in self.component.iter().enumerate() {
+            let closing = self.system.closing[place];
+            self.bounces.push(if inelastic {
+                0.0
+            } else {
+                Self::restitution(&self.contacts[index], laws, closing)
+            });
+        }
+        let least = self.bounces.iter().copied().fold(f64::INFINITY, f64::min);
+        if self.bounces.iter().all(|&bounce| bounce == least) {
+            return;
+        }
+        let n = self.bounces.len();
+        let (matrix, impulse) = (&self.system.matrix, &self.system.impulse);
+        let product = |one: &dyn Fn(usize) -> f64, two: &dyn Fn(usize) -> f64| -> f64 {
+            let row = |i: usize| (0..n).map(|j| matrix[i * n + j] * two(j)).sum::<f64>();
+            (0..n).map(|i| one(i) * row(i)).sum()
+        };
+        let base = |i: usize| least * impulse[i];
+        let more = |i: usize| (self.bounces[i] - least) * impulse[i];
+        // c + 2 b s + a s² ≤ 0 for the share s of what is above the least.
+        let a = product(&more, &more);
+        let b = product(&base, &more);
+        let c = product(&base, &base) - product(&|i| impulse[i], &|i| impulse[i]);
+        if c + 2.0 * b + a <= 0.0 {
+            return;
+        }
+        let root = (b * b - a * c).max(0.0).sqrt();
+        let share = if a > 0.0 { (root - b) / a } else { 0.0 };
+        let share = share.clamp(0.0, 1.0);
+        for bounce in &mut self.bounces {
+            *bounce = least + share * (*bounce - least);
         }
     }
 

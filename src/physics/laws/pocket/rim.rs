@@ -11,8 +11,10 @@
 //! share of its motion in plan and lets it turn freely. It is gone when its centre reaches the bottom.
 //!
 //! The energy of the roll over the edge and where it ends are exact; the way between them is given in pieces of constant
-//! acceleration of at most 0.12 rad each, which leave the arc by less than 0.05 mm. The edge is taken as straight across
-//! the way of the ball, and a ball that is hit while it tips falls from there. Radius of the edge and restitution of the
+//! acceleration of at most 0.12 rad each, which leave the arc by less than 0.05 mm. What a ball runs along the edge it keeps
+//! as the edge turns, at the same speed: that the run itself drives it outwards is left out, so one that runs more than half
+//! as fast as it tips bounces along the edge instead. A ball that is hit while it tips falls from there. Radius of the edge
+//! and restitution of the
 //! liner are our choice: no published measurement is known to us.
 
 use glam::{DVec2, DVec3};
@@ -26,6 +28,9 @@ use crate::physics::table::Pocket;
 
 /// Largest turn about the edge in one piece, rad.
 const TURN: f64 = 0.12;
+
+/// Fastest run along the edge of a ball that tips, as a share of its speed into the hole.
+const MOST_RUN: f64 = 0.5;
 
 /// A pocket with an edge.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -62,9 +67,7 @@ struct Pivot {
 
 impl Pivot {
     fn new(law: &Rim, gravity: f64, pocket: &Pocket, ball: &Ball, state: &State) -> Self {
-        let inward =
-            (pocket.center - DVec2::new(state.position.x, state.position.z)).normalize_or_zero();
-        let inward = DVec3::new(inward.x, 0.0, inward.y);
+        let inward = inward(pocket, state);
         let length = ball.radius + law.edge;
         let cos = ((state.position.y + law.edge) / length).clamp(-1.0, 1.0);
         let angle = libm::acos(cos);
@@ -80,6 +83,38 @@ impl Pivot {
             rate: state.velocity.dot(along).max(0.0) / length,
             pull: k * gravity / length,
             rolls,
+        }
+    }
+
+    /// Speed along the edge.
+    fn run(&self, state: &State) -> f64 {
+        state.velocity.dot(self.inward.cross(DVec3::Y))
+    }
+
+    /// Way of the centre to another angle, while it runs along the edge: it ends over the edge as that is bent.
+    fn way(&self, pocket: &Pocket, state: &State, angle: f64, time: f64) -> DVec3 {
+        let (sin, cos) = (libm::sin(angle), libm::cos(angle));
+        let in_by = self.length * (sin - libm::sin(self.angle));
+        let run = time * self.run(state) * self.inward.cross(DVec3::Y);
+        let middle = DVec3::new(pocket.center.x, state.position.y, pocket.center.y);
+        let offset = state.position - middle;
+        let (distance, turned) = (offset.length(), offset + run);
+        let end = (distance - in_by) * turned.normalize_or_zero();
+        end - offset + self.length * (cos - libm::cos(self.angle)) * DVec3::Y
+    }
+
+    /// Velocities at another angle, where the position is that there: the edge has turned by what the ball ran along it.
+    fn turn(&self, pocket: &Pocket, ball: &Ball, (start, end): (&State, &mut State), angle: f64) {
+        let (sin, cos) = (libm::sin(angle), libm::cos(angle));
+        let inward = inward(pocket, end);
+        let normal = cos * DVec3::Y + sin * inward;
+        let along = cos * inward - sin * DVec3::Y;
+        end.velocity =
+            self.rate_at(angle) * self.length * along + self.run(start) * inward.cross(DVec3::Y);
+        if self.rolls {
+            let before = libm::cos(self.angle) * DVec3::Y + libm::sin(self.angle) * self.inward;
+            let twist = start.angular_velocity.dot(before);
+            end.angular_velocity = normal.cross(end.velocity) / ball.radius + twist * normal;
         }
     }
 
@@ -142,7 +177,7 @@ impl Rim {
         // One that runs along the edge is soon over the slate again.
         let inward = pivot.rate * pivot.length;
         inward * pivot.rate < gravity * libm::cos(pivot.angle)
-            && tangential(&pivot, state).length() <= 2.0 * inward
+            && pivot.run(state).abs() <= MOST_RUN * inward
     }
 
     /// The piece of the roll over the edge that begins with this state. Its end is [`Self::tipped`].
@@ -158,11 +193,15 @@ impl Rim {
             Motion::Tipping
         };
         piece.duration = time;
-        let to = arc_step(&pivot, angle);
-        let tangential = tangential(&pivot, state);
-        let way = to + time * tangential;
         if time > 0.0 {
+            let way = pivot.way(pocket, state, angle, time);
             piece.acceleration = 2.0 * (way - time * state.velocity) / (time * time);
+            let mut end = *state;
+            end.position += way;
+            pivot.turn(pocket, ball, (state, &mut end), angle);
+            let (from, to) = (state.angular_velocity, end.angular_velocity);
+            piece.angular_acceleration = DVec3::new(to.x - from.x, 0.0, to.z - from.z) / time;
+            piece.spin_deceleration = (from.y - to.y) * from.y.signum() / time;
         }
         piece
     }
@@ -173,18 +212,9 @@ impl Rim {
         let start = &piece.start;
         let pivot = Pivot::new(self, gravity, pocket, ball, start);
         let (angle, _) = next(&pivot, gravity);
-        let (sin, cos) = (libm::sin(angle), libm::cos(angle));
-        let normal = cos * DVec3::Y + sin * pivot.inward;
-        let along = cos * pivot.inward - sin * DVec3::Y;
         let mut state = piece.at(piece.duration);
         state.motion = piece.next;
-        state.velocity = pivot.rate_at(angle) * pivot.length * along + tangential(&pivot, start);
-        if pivot.rolls {
-            let (sin, cos) = (libm::sin(pivot.angle), libm::cos(pivot.angle));
-            let before = cos * DVec3::Y + sin * pivot.inward;
-            let twist = start.angular_velocity.dot(before);
-            state.angular_velocity = normal.cross(state.velocity) / ball.radius + twist * normal;
-        }
+        pivot.turn(pocket, ball, (start, &mut state), angle);
         state
     }
 }
@@ -210,17 +240,11 @@ fn next(pivot: &Pivot, gravity: f64) -> (f64, bool) {
     }
 }
 
-/// Way of the centre from its angle to another.
-fn arc_step(pivot: &Pivot, angle: f64) -> DVec3 {
-    let out = libm::sin(angle) - libm::sin(pivot.angle);
-    let up = libm::cos(angle) - libm::cos(pivot.angle);
-    pivot.length * (out * pivot.inward + up * DVec3::Y)
-}
-
-/// Velocity along the edge.
-fn tangential(pivot: &Pivot, state: &State) -> DVec3 {
-    let along = pivot.inward.cross(DVec3::Y);
-    state.velocity.dot(along) * along
+/// Horizontal unit vector from a ball to the middle of the pocket.
+fn inward(pocket: &Pocket, state: &State) -> DVec3 {
+    let way = pocket.center - DVec2::new(state.position.x, state.position.z);
+    let way = way.normalize_or_zero();
+    DVec3::new(way.x, 0.0, way.y)
 }
 
 impl Check for Rim {
