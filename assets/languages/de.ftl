@@ -306,6 +306,7 @@ pocket-foot-right = Fuß rechts
 
 ## Notices
 notice-welcome = Ziehen zielt, das Mausrad gibt Stärke, Leertaste stößt. H zeigt jede Taste.
+notice-sound-lost = Das Tongerät ist fort. Ton gibt es wieder, wenn das Spiel neu gestartet wird.
 notice-miscue = Kicks: das Leder ist von der Kugel abgerutscht.
 notice-solver = Der Löser blieb bei { $time } s stehen: { $reason }. Der Tisch ist wieder wie vor dem Stoß.
 notice-no-room = Die Kugeln haben auf diesem Tisch keinen Platz: neu aufgebaut.

@@ -306,6 +306,7 @@ pocket-foot-right = foot right
 
 ## Notices
 notice-welcome = Drag to aim, wheel for power, Space to strike. H shows every key.
+notice-sound-lost = The sound device is gone. Sound comes back when the game is started again.
 notice-miscue = Miscue: the tip slipped off the ball.
 notice-solver = The solver stopped at { $time } s: { $reason }. The table is back as it was before the shot.
 notice-no-room = The balls have no room on this table: racked again.

@@ -306,6 +306,7 @@ pocket-foot-right = pied droite
 
 ## Notices
 notice-welcome = Glisser pour viser, molette pour la force, Espace pour frapper. H montre chaque touche.
+notice-sound-lost = Le périphérique audio a disparu. Le son revient au prochain démarrage du jeu.
 notice-miscue = Fausse queue : le procédé a glissé de la bille.
 notice-solver = Le solveur s'est arrêté à { $time } s : { $reason }. La table est revenue à l'état d'avant le coup.
 notice-no-room = Les billes n'ont pas de place sur cette table : elles sont replacées.

@@ -29,6 +29,7 @@ use bevy::app::PluginGroupBuilder;
 use bevy::asset::AssetPlugin;
 use bevy::log::{Level, LogPlugin};
 use bevy::prelude::*;
+use bevy::window::WindowResizeConstraints;
 use bevy_egui::{EguiPlugin, EguiPreUpdateSet, EguiPrimaryContextPass};
 use leafwing_input_manager::plugin::InputManagerSystem;
 
@@ -193,6 +194,12 @@ fn engine() -> PluginGroupBuilder {
                 title: "Massé".to_owned(),
                 name: Some("masse".to_owned()),
                 resolution: (1280, 720).into(),
+                // Nothing can be read or clicked in less.
+                resize_constraints: WindowResizeConstraints {
+                    min_width: 320.0,
+                    min_height: 240.0,
+                    ..default()
+                },
                 ..default()
             }),
             ..default()
@@ -203,6 +210,7 @@ fn engine() -> PluginGroupBuilder {
         })
         .set(LogPlugin {
             level: Level::WARN,
+            custom_layer: sound::log_layer,
             ..default()
         })
 }

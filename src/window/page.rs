@@ -24,6 +24,13 @@ pub enum Screen {
     Menu,
 }
 
+/// What a panel is remembered by: its name and the size of the window. A window that was made tiny for a while, or
+/// minimised, would leave its panels squeezed and pushed aside for good.
+pub fn panel_id(context: &egui::Context, name: &str) -> egui::Id {
+    let size = context.content_rect().size();
+    egui::Id::new((name, size.x as i32, size.y as i32))
+}
+
 /// The name of a page.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct PageId(pub &'static str);

@@ -22,6 +22,7 @@ use crate::window::crowd::pace::{self, Cost};
 use crate::window::crowd::pack::Packed;
 use crate::window::crowd::scenes::{self, Loading};
 use crate::window::language::Language;
+use crate::window::page::panel_id;
 
 /// Width of the panel in points.
 const WIDTH: f32 = 262.0;
@@ -87,7 +88,7 @@ pub(super) fn show(mut contexts: EguiContexts, mut desk: Desk) -> Result {
     let mut open = true;
     let height = context.content_rect().height();
     egui::Window::new(desk.language.text("crowd-title"))
-        .id(egui::Id::new("crowd"))
+        .id(panel_id(context, "crowd"))
         .open(&mut open)
         .pivot(egui::Align2::RIGHT_TOP)
         .default_pos(context.content_rect().right_top() + margin)

@@ -6,6 +6,7 @@ use bevy_egui::{EguiContexts, egui};
 use super::Help;
 use crate::window::action::{Action, Bindings, CONTROLS, Topic};
 use crate::window::language::Language;
+use crate::window::page::panel_id;
 use crate::window::page::{Open, PageId};
 
 /// Least width of a column in points: the controls of all topics line up.
@@ -29,7 +30,7 @@ pub(super) fn show(
                 None => name.to_owned(),
             }
         };
-        egui::Area::new(egui::Id::new("corner"))
+        egui::Area::new(panel_id(context, "corner"))
             .anchor(egui::Align2::LEFT_TOP, margin)
             .show(context, |ui| {
                 ui.horizontal(|ui| {

@@ -11,6 +11,7 @@ use crate::physics::record::EventKind;
 use crate::sim::messages::{Failed, Struck};
 use crate::sim::playfield::Playfield;
 use crate::window::language::Language;
+use crate::window::page::panel_id;
 
 /// How long a notice stays.
 const STAY: Duration = Duration::from_secs(8);
@@ -94,7 +95,9 @@ pub(super) fn show(
     }
     let context = contexts.ctx_mut()?;
     let mut gone = None;
-    egui::Area::new(egui::Id::new("notices"))
+    egui::Area::new(panel_id(context, "notices"))
+        // Panels must not hide what is told.
+        .order(egui::Order::Foreground)
         .anchor(egui::Align2::CENTER_BOTTOM, egui::vec2(0.0, -44.0))
         .show(context, |ui| {
             for (i, (saying, is_failure, _)) in notices.list.iter().enumerate() {

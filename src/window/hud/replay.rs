@@ -8,6 +8,7 @@ use crate::sim::clock::Clock;
 use crate::sim::recorder::Recorder;
 use crate::window::action::Action;
 use crate::window::language::Language;
+use crate::window::page::panel_id;
 
 /// Paces the viewer can choose from.
 const RATES: [f64; 6] = [-1.0, -0.25, 0.1, 0.25, 1.0, 4.0];
@@ -26,7 +27,7 @@ pub(super) fn show(
         return Ok(());
     }
     let context = contexts.ctx_mut()?;
-    egui::Area::new(egui::Id::new("replay"))
+    egui::Area::new(panel_id(context, "replay"))
         .anchor(egui::Align2::RIGHT_BOTTOM, egui::vec2(-8.0, -8.0))
         .show(context, |ui| {
             egui::Frame::new()

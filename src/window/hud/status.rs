@@ -12,6 +12,7 @@ use crate::sim::components::{BallIndex, BallName, MotionKind};
 use crate::sim::recorder::Recorder;
 use crate::window::action::{Action, Bindings, Latched};
 use crate::window::language::Language;
+use crate::window::page::panel_id;
 
 /// What stands between the parts of the line.
 const BETWEEN: &str = "  ·  ";
@@ -73,7 +74,7 @@ pub(super) fn show(
         let key = format!("status-{}", action.key());
         parts.push(language.text(&key).to_owned());
     }
-    egui::Area::new(egui::Id::new("status"))
+    egui::Area::new(panel_id(context, "status"))
         .anchor(egui::Align2::LEFT_BOTTOM, egui::vec2(8.0, -8.0))
         .interactable(false)
         .show(context, |ui| {

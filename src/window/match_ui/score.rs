@@ -11,6 +11,7 @@ use crate::window::language::Language;
 use crate::window::match_ui::call::Pointing;
 use crate::window::match_ui::report;
 use crate::window::page::Open;
+use crate::window::page::panel_id;
 
 /// Lays out the score.
 pub(super) fn show(
@@ -26,7 +27,7 @@ pub(super) fn show(
         return Ok(());
     };
     let context = contexts.ctx_mut()?;
-    egui::Area::new(egui::Id::new("score"))
+    egui::Area::new(panel_id(context, "score"))
         .anchor(egui::Align2::CENTER_TOP, egui::vec2(0.0, 8.0))
         .show(context, |ui| {
             egui::Frame::popup(ui.style()).show(ui, |ui| {

@@ -8,6 +8,7 @@ use super::stage::{Ask, OnTable, Stage, Turn};
 use crate::scenarios::expect::Standing;
 use crate::window::action::{Action, Bindings};
 use crate::window::language::Language;
+use crate::window::page::panel_id;
 
 /// Width of the panel in points.
 const WIDTH: f32 = 300.0;
@@ -30,7 +31,7 @@ pub(super) fn show(
     let mut is_open = true;
     let heading = title(&language, &on.name, &on.scenario.title);
     egui::Window::new(heading)
-        .id(egui::Id::new("scenario"))
+        .id(panel_id(context, "scenario"))
         .open(&mut is_open)
         .default_pos(context.content_rect().left_top() + egui::vec2(8.0, 44.0))
         .auto_sized()

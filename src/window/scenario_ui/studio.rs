@@ -17,6 +17,7 @@ use crate::scenarios::own::Own;
 use crate::sim::clock::Clock;
 use crate::sim::playfield::{BallQuery, Playfield, snapshot};
 use crate::window::language::Language;
+use crate::window::page::panel_id;
 
 /// Width of the panel in points.
 const WIDTH: f32 = 300.0;
@@ -111,7 +112,7 @@ pub(super) fn show(mut contexts: EguiContexts, mut bench: Bench) -> Result {
     let room = context.content_rect();
     let mut is_open = true;
     egui::Window::new(bench.language.text("studio-title"))
-        .id(egui::Id::new("studio"))
+        .id(panel_id(context, "studio"))
         .open(&mut is_open)
         .default_pos(room.left_top() + egui::vec2(334.0, 44.0))
         .auto_sized()

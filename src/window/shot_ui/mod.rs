@@ -29,6 +29,7 @@ use crate::sim::stepped::crowd::is_crowd;
 use crate::window::WindowSystems;
 use crate::window::action::{Action, Latched};
 use crate::window::language::Language;
+use crate::window::page::panel_id;
 
 /// Width of the panel in points.
 const WIDTH: f32 = 286.0;
@@ -107,7 +108,7 @@ fn show(mut contexts: EguiContexts, mut desk: Desk) -> Result {
     let mut open = true;
     let height = context.content_rect().height();
     egui::Window::new(desk.language.text("shot-title"))
-        .id(egui::Id::new("shot"))
+        .id(panel_id(context, "shot"))
         .open(&mut open)
         .pivot(egui::Align2::RIGHT_TOP)
         .default_pos(context.content_rect().right_top() + margin)

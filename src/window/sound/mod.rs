@@ -5,6 +5,7 @@
 //! every voice ends by its own clock, whether anybody played it or not.
 
 mod click;
+mod lost;
 mod rolling;
 mod synthesis;
 
@@ -61,11 +62,13 @@ struct Hit {
     time: f64,
 }
 
+pub(super) use lost::layer as log_layer;
+
 pub(super) fn plugin(app: &mut App) {
     app.init_resource::<Sounds>()
         .add_systems(Startup, synthesise)
         .add_observer(give_ears)
-        .add_plugins((click::plugin, rolling::plugin))
+        .add_plugins((click::plugin, lost::plugin, rolling::plugin))
         .add_systems(
             RunFixedMainLoop,
             (end, hear).chain().in_set(WindowSystems::Present),
