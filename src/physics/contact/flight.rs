@@ -109,28 +109,33 @@ pub fn rim(
     let plan = |v: DVec3| DVec2::new(v.x, v.z);
     let bend = track.acceleration.length();
     let moment = (plan(track.position) - pocket.center).perp_dot(plan(track.velocity));
-    let mut time = 0.0;
-    for _ in 0..LIMIT {
-        let position = track.at(time);
-        // Below the rim there is the wall.
-        if time > horizon || position.y < -edge {
-            return Ok(None);
-        }
-        let velocity = track.velocity + time * track.acceleration;
+    // Distance to the edge, its rate, distance from the axis.
+    let gap = |time: f64| {
+        let (position, velocity) = (track.at(time), track.velocity + time * track.acceleration);
         let offset = plan(position) - pocket.center;
         let from_axis = offset.length();
         let (inward, up) = (pocket.radius - from_axis, position.y + edge);
         let length = (inward * inward + up * up).sqrt();
         let out = offset.normalize_or_zero().dot(plan(velocity));
-        let distance = length - radius - edge;
         let speed = (up * velocity.y - inward * out) / length.max(1e-12);
+        (length - radius - edge, speed, from_axis)
+    };
+    let mut time = 0.0;
+    for _ in 0..LIMIT {
+        // Below the rim there is the wall.
+        if time > horizon || track.at(time).y < -edge {
+            return Ok(None);
+        }
+        let velocity = track.velocity + time * track.acceleration;
+        let (distance, speed, from_axis) = gap(time);
         if !(distance + speed).is_finite() {
             return Err(failed(track, time));
         }
         if distance <= 1e-9 && speed < -CLOSING {
-            // A step may have gone a little too far; the rest of the way is shorter than rounding.
-            let rest = (distance / -speed).max(-STEP);
-            return Ok(Some((time + rest).max(0.0)));
+            // A step may have gone a little too far; the rest of the way is shorter than rounding. But one that passes by
+            // so fast that it did not close there yet would meet the edge there for ever.
+            let met = (time + (distance / -speed).max(-STEP)).max(0.0);
+            return Ok(Some(if gap(met).1 < 0.0 { met } else { time }));
         }
         let reach = distance.max(0.0);
         let fastest = velocity.length();

@@ -97,16 +97,13 @@ pub fn line(
     let along = line.to - line.from;
     let length = along.length();
     let along = along / length;
-    let mut normal = along.perp();
     let (p, v, half) = (
         Track::plan(track.position) - line.from,
         Track::plan(track.velocity),
         0.5 * Track::plan(track.acceleration),
     );
-    if p.dot(normal) < 0.0 {
-        normal = -normal;
-    }
-    let (distance, speed, bend) = (p.dot(normal), v.dot(normal), half.dot(normal));
+    let (normal, distance) = line.side_of(p);
+    let (speed, bend) = (v.dot(normal), half.dot(normal));
     if speed >= 0.0 && bend >= 0.0 && (speed + bend).is_finite() {
         return Ok(None);
     }

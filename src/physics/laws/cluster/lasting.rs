@@ -20,6 +20,9 @@ pub const CONTACT_TIME: f64 = 1e-3;
 /// Closing speed in m/s below which two contacts soon after each other are one lasting contact.
 pub const SLOW: f64 = 5e-3;
 
+/// Most times that contacts are made to part at one instant.
+const BEARINGS: usize = 64;
+
 /// What a ball of a scene touches.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Other {
@@ -111,10 +114,22 @@ impl Cluster {
         self.classify(laws, table);
         if self.must_part(laws, table, blow) {
             let parting = std::mem::take(&mut self.parting);
-            self.settle(laws, &parting);
+            // The slate takes up what drives a ball into it: one that bears another on top gives way again and again.
+            for _ in 0..BEARINGS {
+                self.settle(laws, &parting);
+                self.classify(laws, table);
+                if self.have_parted(&parting) {
+                    break;
+                }
+            }
             self.parting = parting;
-            self.classify(laws, table);
         }
+    }
+
+    /// Whether every contact parts with at least half the speed that it must.
+    fn have_parted(&self, parting: &[f64]) -> bool {
+        let mut pairs = self.contacts.iter().zip(parting);
+        pairs.all(|(contact, parting)| *parting <= PART || self.closing(contact) <= -0.5 * parting)
     }
 
     /// What the ball of a contact touches.
