@@ -1,6 +1,7 @@
 //! The game without pixels: what the player aims, sees and hears of it, practice on an open table.
 
 pub mod aim;
+pub mod aimed;
 pub mod equip;
 pub mod guide;
 pub mod history;

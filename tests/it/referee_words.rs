@@ -146,7 +146,8 @@ fn refusals() -> Vec<Refused> {
                 H::NotAgreed => not_now(H::NoPractice),
                 H::NoPractice => not_now(H::NotTheirTurn),
                 H::NotTheirTurn => not_now(H::NoMatch),
-                H::NoMatch => R::Place {
+                H::NoMatch => not_now(H::MatchOn),
+                H::MatchOn => R::Place {
                     x,
                     z,
                     why: NoPlace::Outside,

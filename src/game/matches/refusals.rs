@@ -39,6 +39,9 @@ pub enum Hindrance {
     /// There is no match.
     #[error("no match is on")]
     NoMatch,
+    /// There is a match, which the menu leaves.
+    #[error("a match is on; it is left in the menu")]
+    MatchOn,
 }
 
 impl Hindrance {
@@ -54,6 +57,7 @@ impl Hindrance {
             Self::NoPractice => "hindrance-no-practice",
             Self::NotTheirTurn => "hindrance-not-their-turn",
             Self::NoMatch => "hindrance-no-match",
+            Self::MatchOn => "hindrance-match-on",
         };
         Saying::new(key, &[], self.to_string())
     }

@@ -44,11 +44,8 @@ impl Thinking {
                 continue;
             };
             count += 1;
-            worked += i32::from(if plan.kind == Kind::Safety || plan.kind == Kind::Kick {
-                outcome.clean
-            } else {
-                outcome.good
-            });
+            let safe = matches!(plan.kind, Kind::Safety | Kind::Kick | Kind::PushOut);
+            worked += i32::from(if safe { outcome.clean } else { outcome.good });
             value += match &outcome.next {
                 Some((state, scene)) if outcome.good => {
                     self.best_next(state, scene).max(outcome.value)

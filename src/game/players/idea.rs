@@ -20,6 +20,8 @@ pub enum Kind {
     Carom,
     /// Nothing is to fall; the other player is to be left nothing.
     Safety,
+    /// The cue ball goes where neither player likes it much, under the rule for the stroke after a break.
+    PushOut,
     /// The opening stroke.
     Break,
 }

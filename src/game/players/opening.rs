@@ -21,6 +21,9 @@ const OFF_CENTER: [f64; 3] = [0.0, 0.25, -0.25];
 /// Directions in which a stroke without a plan is tried.
 const AROUND: u32 = 48;
 
+/// Directions in which a push out is tried.
+const PUSHED: u32 = 24;
+
 /// Whether the balls are to be broken apart, and not left together for the other player to open.
 #[must_use]
 pub fn is_open(game: &Game) -> bool {
@@ -109,6 +112,20 @@ pub fn all_around(spot: Option<DVec2>, on: &On) -> Vec<Idea> {
             call: call_safety(on, ball),
             line: Line::Along(std::f64::consts::TAU * f64::from(i) / f64::from(AROUND)),
             chance: 0.0,
+        })
+        .collect()
+}
+
+/// Push outs in every direction.
+#[must_use]
+pub fn push_outs() -> Vec<Idea> {
+    (0..PUSHED)
+        .map(|i| Idea {
+            kind: Kind::PushOut,
+            spot: None,
+            call: Call::PushOut,
+            line: Line::Along(std::f64::consts::TAU * f64::from(i) / f64::from(PUSHED)),
+            chance: 0.2,
         })
         .collect()
 }

@@ -23,6 +23,9 @@ const SAFE_SPEEDS: [f64; 5] = [0.7, 1.2, 0.45, 2.0, 3.2];
 /// Contacts of safeties, height in R.
 const SAFE_HEIGHTS: [f64; 3] = [0.0, -0.3, 0.3];
 
+/// Speeds of the cue in m/s of push outs.
+const PUSH_SPEEDS: [f64; 2] = [0.6, 1.3];
+
 /// Speeds of the cue in m/s of breaks.
 const BREAK_SPEEDS: [f64; 2] = [7.5, 9.0];
 
@@ -103,6 +106,7 @@ impl Thinking {
         match (idea.kind, idea.line) {
             (Kind::Pot, Line::Send(lane)) => self.screen_pot(idea, &lane),
             (Kind::Break, Line::Along(angle)) => self.screen_break(idea, angle),
+            (Kind::PushOut, Line::Along(angle)) => self.screen_push_out(idea, angle),
             (Kind::Carom, Line::Along(angle)) => self.screen_carom(idea, angle),
             (_, Line::Search { angle, spread }) => self.search(idea, angle, spread),
             (_, Line::Along(angle)) => self.screen_safety(idea, angle),
@@ -199,6 +203,24 @@ impl Thinking {
                     // How sure it is shows when it is rehearsed with errors.
                     self.note(idea, shot, 0.9 * outcome.value + 0.1 * self.failed.1, 0.9);
                 }
+            }
+        }
+    }
+
+    /// What a push out is worth is what it leaves to the one who may choose.
+    fn screen_push_out(&mut self, idea: &Idea, angle: f64) {
+        let raised = self.raised(&Shot {
+            heading: -angle,
+            elevation: 0.0,
+            side: 0.0,
+            height: 0.0,
+            speed: PLAIN,
+        });
+        for speed in PUSH_SPEEDS {
+            let shot = Shot { speed, ..raised };
+            let outcome = self.rehearse(&idea.call, &shot, false);
+            if let Some(outcome) = outcome.filter(|outcome| outcome.clean) {
+                self.note(idea, shot, outcome.value, 0.9);
             }
         }
     }

@@ -36,6 +36,9 @@ const SAMPLED: f64 = 0.85;
 /// A pot that looks this likely makes a safety not worth thinking about.
 const SURE: f64 = 0.9;
 
+/// A pot that looks less likely than this makes a push out worth thinking about.
+const PUSH_OUT: f64 = 0.6;
+
 /// What is done next.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Stage {
@@ -256,6 +259,9 @@ impl Thinking {
             let skills = &self.level.skills;
             if self.on.pockets.is_empty() {
                 ideas.extend(view.caroms());
+            }
+            if self.on.may_push_out && skills.position && best < PUSH_OUT {
+                ideas.extend(opening::push_outs());
             }
             ideas.extend(view.combinations());
             ideas.extend(view.banks());

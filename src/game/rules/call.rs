@@ -3,6 +3,7 @@
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
+use crate::game::rules::targets::{CallNeeded, On};
 use crate::physics::scene::Scene;
 use crate::physics::table::Table;
 
@@ -72,4 +73,29 @@ pub fn nearest_ball(scene: &Scene, among: &[usize], point: DVec2, reach: f64) ->
         })
         .filter(|&i| to(i) <= reach)
         .min_by(|&a, &b| to(a).total_cmp(&to(b)))
+}
+
+/// How far in m beside a ball or the edge of a pocket one may point and still mean it.
+const MEANT: f64 = 0.03;
+
+/// What somebody points at who is to call a shot.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Pointed {
+    /// The ball with this index.
+    Ball(usize),
+    /// The pocket with this index.
+    Pocket(usize),
+}
+
+/// What somebody means who points at the table: `high` is where the pointer meets the height of the centres of the balls,
+/// `low` where it meets the bed, x and z in m. Only balls that may be called count.
+#[must_use]
+pub fn pointed_at(scene: &Scene, on: &On, high: DVec2, low: DVec2) -> Option<Pointed> {
+    if let Some(ball) = nearest_ball(scene, &on.pot, high, MEANT) {
+        return Some(Pointed::Ball(ball));
+    }
+    let pocket = nearest_pocket(&scene.table, low)
+        .filter(|_| on.call_needed == CallNeeded::BallAndPocket)?;
+    let hole = &scene.table.pockets[pocket];
+    (low.distance(hole.center) <= hole.radius + MEANT).then_some(Pointed::Pocket(pocket))
 }

@@ -15,11 +15,13 @@ use std::path::PathBuf;
 use bevy::prelude::*;
 
 use crate::game::matches::store::StoreError;
-use crate::game::matches::{Match, Mind, Phase, Refused, SavedError, Session, Setup, Store};
+use crate::game::matches::{
+    Hindrance, Match, Mind, Phase, Refused, SavedError, Session, Setup, Store,
+};
 use crate::game::players::Progress;
 use crate::game::practice::{obey, settle, take_up};
 use crate::game::replay::leave;
-use crate::game::rules::{Call, Choice, Verdict};
+use crate::game::rules::{Call, Choice, Game, Verdict};
 use crate::game::saying::Saying;
 use crate::physics::cue::Shot;
 use crate::physics::scene::Scene;
@@ -144,6 +146,30 @@ impl Turns {
     #[must_use]
     pub fn may_strike(&self) -> bool {
         !self.is_on() || (self.phase() == Some(Phase::Play) && !self.is_computers())
+    }
+
+    /// Whether a person has the cue ball in hand: it alone may be moved then, and only within its area.
+    #[must_use]
+    pub fn places_cue_ball(&self) -> bool {
+        self.is_on() && self.hinders_placing().is_none() && !self.is_practice()
+    }
+
+    /// What hinders whoever is at the table from moving balls in a match.
+    #[must_use]
+    pub fn hinders_placing(&self) -> Option<Hindrance> {
+        let Some(game) = self.game() else {
+            return Some(Hindrance::NoMatch);
+        };
+        if !self.may_strike() {
+            return Some(Hindrance::NotTheirTurn);
+        }
+        let free = self.is_practice() || game.state().standing.in_hand.is_some();
+        (!free).then_some(Hindrance::NotInHand)
+    }
+
+    fn is_practice(&self) -> bool {
+        let game = self.game().map(|game| &game.setup().game);
+        matches!(game, Some(Game::FreePractice(_)))
     }
 
     /// What the referee said last, and of whom.

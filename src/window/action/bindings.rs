@@ -9,6 +9,7 @@ use super::{Action, CONTROLS, Control, Way};
 use crate::game::equip::Told;
 use crate::game::saying::Saying;
 use crate::game::settings::Settings;
+use crate::window::language::Language;
 
 /// How far a stick moves before it counts.
 pub(super) const DEAD: f32 = 0.25;
@@ -64,6 +65,13 @@ impl Bindings {
             .iter()
             .find(|(other, _)| *other == action)
             .map_or(&[], |(_, controls)| controls.as_slice())
+    }
+
+    /// What the first control of an action is called; empty if it has none.
+    #[must_use]
+    pub fn name(&self, action: Action, language: &Language) -> String {
+        let first = self.of(action).first();
+        first.map_or_else(String::new, |control| control.name(language))
     }
 
     /// Every action with its controls.

@@ -115,6 +115,7 @@ pub const CONTROLS: &[Line] = {
         line(A::Rack, &[Key(K::KeyN)], Table),
         line(A::Place, &[Key(K::KeyB)], Table),
         line(A::InHand, &[Key(K::KeyI)], Table),
+        line(A::Call, &[Key(K::Enter)], Table),
         line(A::Studio, &[Key(K::F2)], Table),
         line(A::PreviousTrick, &[Key(K::F3)], Table),
         line(A::NextTrick, &[Key(K::F4)], Table),

@@ -97,6 +97,8 @@ pub enum Action {
     Place,
     /// Cue ball in hand.
     InHand,
+    /// Call the ball that is aimed at.
+    Call,
     /// Open or close the studio.
     Studio,
     /// Play the trick shot that lies on the table.

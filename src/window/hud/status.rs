@@ -6,6 +6,7 @@ use bevy_egui::{EguiContexts, egui};
 use crate::game::aim::Aim;
 use crate::game::practice::Practice;
 use crate::game::settings::Settings;
+use crate::game::turns::Turns;
 use crate::physics::record::EventKind;
 use crate::sim::clock::Clock;
 use crate::sim::components::{BallIndex, BallName, MotionKind};
@@ -25,6 +26,7 @@ pub(super) fn show(
     mut contexts: EguiContexts,
     aim: Res<Aim>,
     practice: Res<Practice>,
+    turns: Res<Turns>,
     settings: Res<Settings>,
     language: Res<Language>,
     bindings: Res<Bindings>,
@@ -34,14 +36,22 @@ pub(super) fn show(
     balls: Balls,
 ) -> Result {
     let context = contexts.ctx_mut()?;
-    let first = |action| {
-        let control = bindings.of(action).first();
-        control.map_or_else(String::new, |control| control.name(&language))
-    };
+    let first = |action| bindings.name(action, &language);
     let mut parts = Vec::new();
     if clock.moving {
         let time = format!("{:.1}", clock.time());
         parts.push(language.with("status-rolling", &[("time", time.into())]));
+    } else if practice.placing && turns.places_cue_ball() {
+        let keys = [
+            Action::AimLeft,
+            Action::AimRight,
+            Action::PowerUp,
+            Action::PowerDown,
+        ];
+        let keys = keys.map(first).join(" ");
+        let key = first(Action::Strike);
+        let values = [("keys", keys.into()), ("key", key.into())];
+        parts.push(language.with("status-in-hand", &values));
     } else if practice.placing {
         let key = first(Action::Place);
         parts.push(language.with("status-placing", &[("key", key.into())]));

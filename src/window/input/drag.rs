@@ -10,6 +10,9 @@ use super::motion::Motion;
 use super::{Actions, fineness, on_panel};
 use crate::game::aim::Aim;
 use crate::game::practice::{Practice, PracticeCommand};
+use crate::game::rules::CallNeeded;
+use crate::game::rules::call::pointed_at;
+use crate::game::turns::Turns;
 use crate::game::view::{CameraInput, CameraMode, View};
 use crate::physics::cue::Shot;
 use crate::sim::clock::Clock;
@@ -31,6 +34,9 @@ const NOTCH: f32 = 100.0;
 /// How far beside a ball the pointer may be to take it, in R.
 const GRASP: f64 = 1.4;
 
+/// Pixels by which a click may move.
+const CLICK: f32 = 4.0;
+
 /// What the left button holds.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) enum Held {
@@ -39,6 +45,8 @@ pub(super) enum Held {
     Nothing,
     /// The cue.
     Cue,
+    /// A ball or a pocket that is called by a click: the cue, once the pointer has gone this far in pixels.
+    Call(f32),
     /// A ball by its index, and where it was taken, seen from its centre, m.
     Ball(usize, DVec2),
 }
@@ -76,6 +84,19 @@ impl Pointer<'_, '_> {
         let point = origin + along * direction;
         (along.is_finite() && along > 0.0).then_some(DVec2::new(point.x, point.z))
     }
+
+    /// Whether a click here calls a ball or a pocket.
+    fn calls(&self, turns: &Turns) -> bool {
+        let Some(game) = turns.game().filter(|_| turns.may_strike()) else {
+            return false;
+        };
+        let (table, on) = (game.table(), game.targets());
+        let height = table.balls[on.cue].ball.radius;
+        self.on_plane(height)
+            .zip(self.on_plane(0.0))
+            .filter(|_| on.call_needed != CallNeeded::No)
+            .is_some_and(|(high, low)| pointed_at(&table, &on, high, low).is_some())
+    }
 }
 
 type Balls<'w, 's> = Query<
@@ -95,6 +116,7 @@ pub(super) fn grip(
     egui: Res<EguiWantsInput>,
     mut practice: ResMut<Practice>,
     clock: Res<Clock>,
+    turns: Res<Turns>,
     pointer: Pointer,
     balls: Balls,
     mut grip: ResMut<Grip>,
@@ -113,12 +135,22 @@ pub(super) fn grip(
         grip.look = true;
     }
     if actions.just_pressed(&Action::Drag) {
-        grip.held = Held::Cue;
-        if practice.placing && !clock.moving {
-            grip.held = under(&pointer, &balls).unwrap_or(Held::Cue);
-            if let Held::Ball(ball, _) = grip.held {
-                practice.chosen = Some(ball);
-            }
+        // A cue ball in hand is taken whatever the keys do; who turns the cue instead has put it down.
+        let in_hand = turns.places_cue_ball();
+        let cue = turns.game().filter(|_| in_hand);
+        let cue = cue.map(|game| game.state().cue_ball(&game.table()));
+        let taken = under(&pointer, &balls)
+            .filter(|_| (practice.placing || in_hand) && !clock.moving)
+            .filter(|held| match held {
+                Held::Ball(ball, _) => cue.is_none_or(|cue| cue == *ball),
+                _ => false,
+            });
+        let calls = || pointer.calls(&turns).then_some(Held::Call(0.0));
+        grip.held = taken.or_else(calls).unwrap_or(Held::Cue);
+        if let Held::Ball(ball, _) = grip.held {
+            practice.chosen = Some(ball);
+        } else if in_hand && practice.placing {
+            practice.placing = false;
         }
     }
 }
@@ -152,6 +184,12 @@ pub(super) fn aim(
     mut grip: ResMut<Grip>,
     mut aim: ResMut<Aim>,
 ) {
+    if let Held::Call(gone) = &mut grip.held {
+        *gone += motion.0.length();
+        if *gone > CLICK {
+            grip.held = Held::Cue;
+        }
+    }
     if grip.held != Held::Cue {
         return;
     }

@@ -37,6 +37,7 @@ pub(super) fn plugin(app: &mut App) {
                     (
                         replay::command,
                         table::command,
+                        table::put_down,
                         keys::aim.run_if(may_strike),
                         place::by_keys,
                         stroke::ask

@@ -1,5 +1,5 @@
-//! Placing balls with keys: the keys of heading and power move the ball that is chosen, the keys for the next ball choose
-//! another one.
+//! Placing balls with keys: the keys of heading and power move the ball that is chosen, as it is seen on the screen; the
+//! keys for the next ball choose another one.
 
 use bevy::prelude::*;
 use glam::{DVec2, DVec3};
@@ -8,6 +8,7 @@ use super::keys::HeldKey;
 use super::{Actions, fineness};
 use crate::game::aim::Aim;
 use crate::game::practice::{Practice, PracticeCommand};
+use crate::game::turns::Turns;
 use crate::physics::cue::Shot;
 use crate::sim::clock::Clock;
 use crate::sim::components::{BallIndex, MotionKind, Position};
@@ -29,7 +30,9 @@ pub(super) fn by_keys(
     time: Res<Time<Real>>,
     mut practice: ResMut<Practice>,
     clock: Res<Clock>,
+    turns: Res<Turns>,
     balls: Balls,
+    camera: Query<&GlobalTransform, With<Camera3d>>,
     mut aim: ResMut<Aim>,
     mut held: ResMut<HeldKey>,
     mut wished: ResMut<Wish>,
@@ -45,6 +48,11 @@ pub(super) fn by_keys(
         .map(|ball| (ball.0.0, DVec2::new(ball.1.0.x, ball.1.0.z)))
         .collect();
     in_play.sort_by_key(|(index, _)| *index);
+    // In a match only the cue ball may be in hand.
+    if turns.places_cue_ball() {
+        practice.chosen = Some(aim.ball);
+        in_play.retain(|(index, _)| *index == aim.ball);
+    }
     let present = practice.chosen.unwrap_or(aim.ball);
     let is = |ball: usize| in_play.iter().position(|(index, _)| *index == ball);
     let Some(mut at) = is(present).or_else(|| is(aim.ball)) else {
@@ -72,11 +80,11 @@ pub(super) fn by_keys(
     }
     let step = STEP * fineness(&actions);
     let mut steps = |more, less| held.steps(&actions, &time, more, less);
-    let way = step
-        * DVec2::new(
-            steps(Action::AimRight, Action::AimLeft),
-            steps(Action::PowerDown, Action::PowerUp),
-        );
+    let asked = DVec2::new(
+        steps(Action::AimRight, Action::AimLeft),
+        steps(Action::PowerDown, Action::PowerUp),
+    );
+    let way = step * seen_from(camera.single().ok(), asked);
     if way == DVec2::ZERO {
         return;
     }
@@ -92,4 +100,11 @@ pub(super) fn by_keys(
         x: wish.x,
         z: wish.y,
     });
+}
+
+/// A way to the right and towards the player on the screen, as a way on the table, x and z.
+fn seen_from(camera: Option<&GlobalTransform>, asked: DVec2) -> DVec2 {
+    let right = camera.map_or(DVec3::X, |place| place.right().as_vec3().as_dvec3());
+    let right = DVec2::new(right.x, right.z).normalize_or(DVec2::X);
+    asked.x * right + asked.y * DVec2::new(-right.y, right.x)
 }

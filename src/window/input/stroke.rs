@@ -6,6 +6,8 @@ use bevy_egui::input::EguiWantsInput;
 use super::Actions;
 use super::motion::Motion;
 use crate::game::aim::{Aim, Swing};
+use crate::game::practice::Practice;
+use crate::game::turns::Turns;
 use crate::sim::clock::Clock;
 use crate::sim::messages::Strike;
 use crate::window::action::Action;
@@ -82,9 +84,19 @@ impl Hand {
     }
 }
 
-/// Asks for a swing with the key.
-pub(super) fn ask(actions: Actions, mut swings: MessageWriter<Swing>) {
-    if actions.just_pressed(&Action::Strike) {
+/// Asks for a swing with the key; a cue ball in hand is only put down by it.
+pub(super) fn ask(
+    actions: Actions,
+    turns: Res<Turns>,
+    mut practice: ResMut<Practice>,
+    mut swings: MessageWriter<Swing>,
+) {
+    if !actions.just_pressed(&Action::Strike) {
+        return;
+    }
+    if practice.placing && turns.places_cue_ball() {
+        practice.placing = false;
+    } else {
         swings.write(Swing);
     }
 }

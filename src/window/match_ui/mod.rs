@@ -12,15 +12,29 @@ mod speaker;
 
 use bevy::prelude::*;
 use bevy_egui::EguiPrimaryContextPass;
+use bevy_egui::input::egui_wants_any_keyboard_input;
 
 use crate::window::WindowSystems;
 
 pub(super) fn plugin(app: &mut App) {
     app.init_resource::<call::Pointing>()
         .add_plugins((new_match::plugin, report::plugin))
-        .add_systems(PreUpdate, call::point.in_set(WindowSystems::Input))
+        .add_systems(
+            PreUpdate,
+            (
+                call::point,
+                call::by_key.run_if(not(egui_wants_any_keyboard_input)),
+            )
+                .chain()
+                .in_set(WindowSystems::Input),
+        )
         .add_systems(FixedPostUpdate, speaker::speak)
-        .add_systems(RunFixedMainLoop, area::draw.in_set(WindowSystems::Present))
+        .add_systems(
+            RunFixedMainLoop,
+            (area::draw, call::mark)
+                .chain()
+                .in_set(WindowSystems::Present),
+        )
         .add_systems(
             EguiPrimaryContextPass,
             score::show.in_set(WindowSystems::Match),

@@ -7,6 +7,7 @@ use crate::game::matches::{Match, Phase};
 use crate::game::replay::Replay;
 use crate::game::rules::{Call, CallNeeded, wording};
 use crate::game::turns::{TurnCommand, Turns};
+use crate::window::action::{Action, Bindings};
 use crate::window::language::Language;
 use crate::window::match_ui::call::Pointing;
 use crate::window::match_ui::report;
@@ -14,9 +15,14 @@ use crate::window::page::Open;
 use crate::window::page::panel_id;
 
 /// Lays out the score.
+#[expect(
+    clippy::too_many_arguments,
+    reason = "a system names everything it reads"
+)]
 pub(super) fn show(
     mut contexts: EguiContexts,
     language: Res<Language>,
+    bindings: Res<Bindings>,
     turns: Res<Turns>,
     replay: Res<Replay>,
     mut pointing: ResMut<Pointing>,
@@ -43,7 +49,15 @@ pub(super) fn show(
                         }
                         Some(Phase::Choose) if turns.is_computers() => {}
                         Some(Phase::Play) => {
-                            before_the_stroke(ui, game, &language, &mut pointing, &mut commands);
+                            let key = bindings.name(Action::Call, &language);
+                            before_the_stroke(
+                                ui,
+                                game,
+                                &language,
+                                &key,
+                                &mut pointing,
+                                &mut commands,
+                            );
                         }
                         Some(Phase::Choose) => {
                             ui.horizontal_wrapped(|ui| {
@@ -146,11 +160,12 @@ fn thought(
     });
 }
 
-/// What a person may call, and that the cue ball is in hand.
+/// What a person may call, and that the cue ball is in hand; `key` is the one that calls what is aimed at.
 fn before_the_stroke(
     ui: &mut egui::Ui,
     game: &Match,
     language: &Language,
+    key: &str,
     pointing: &mut Pointing,
     commands: &mut MessageWriter<TurnCommand>,
 ) {
@@ -162,7 +177,7 @@ fn before_the_stroke(
     let called = game.called();
     ui.horizontal_wrapped(|ui| {
         if on.call_needed != CallNeeded::No {
-            ui.toggle_value(&mut pointing.on, language.text("match-call"));
+            ui.toggle_value(&mut pointing.by_name, language.text("match-call"));
             let said = match called {
                 Call::Pot { ball, pocket } => format!(
                     "{} → {}",
@@ -172,7 +187,9 @@ fn before_the_stroke(
                 Call::Nominate { ball } => language.say(&wording::ball_alone(&table, ball)),
                 _ => String::new(),
             };
-            ui.strong(said);
+            if !said.is_empty() {
+                ui.strong(said);
+            }
         }
         let mut say = |ui: &mut egui::Ui, call: Call, key: &str| {
             if ui
@@ -190,9 +207,14 @@ fn before_the_stroke(
             say(ui, Call::PushOut, "match-push-out");
         }
     });
-    if pointing.on && on.call_needed != CallNeeded::No {
+    if on.call_needed == CallNeeded::No {
+        return;
+    }
+    if pointing.by_name {
         chosen_by_name(ui, game, language, pointing, commands);
-        ui.weak(language.text("match-call-hint"));
+    }
+    if called == Call::Nothing {
+        ui.weak(language.with("match-call-hint", &[("key", key.into())]));
     }
 }
 

@@ -5,7 +5,9 @@ use masse::game::placing;
 use masse::game::players::contest::{execute, put};
 use masse::game::players::idea::Kind;
 use masse::game::players::{Level, Plan, Thinking};
-use masse::game::rules::{Area, Call, GameState, Verdict};
+use masse::game::rules::rotation::Phase;
+use masse::game::rules::{Area, Call, Game, GameState, Verdict};
+use masse::physics::ball::Motion;
 use masse::physics::cue::Shot;
 use masse::physics::cue_path;
 use masse::physics::exact::{Limits, solve};
@@ -244,4 +246,51 @@ fn a_scene_that_cannot_be_played_is_refused() {
     let (state, mut scene) = strewn(1);
     scene.balls[1].state.position = scene.balls[2].state.position;
     assert!(Thinking::new(&state, &scene, &TOP, 0).is_err());
+}
+
+/// After the break of a game of 9-ball the cue ball lies behind a wall, and the 1 beyond it.
+fn hidden_after_the_break() -> (GameState, Scene) {
+    let game = Game::named("9-ball").expect("9-ball");
+    let (mut state, mut scene) = GameState::start(game, 2, 0, &super::pool(), 1);
+    state.standing.in_hand = None;
+    state.standing.shots = 1;
+    if let Game::NineBall(rules) = &mut state.game {
+        rules.phase = Phase::PushOut;
+    }
+    let wall = [(2, -0.12), (3, -0.06), (4, 0.0), (5, 0.06), (6, 0.12)];
+    for placed in &mut scene.balls {
+        placed.state.motion = Motion::Pocketed;
+    }
+    lay(&mut scene, 0, DVec2::new(-0.15, 0.0));
+    lay(&mut scene, 1, DVec2::new(0.9, 0.0));
+    lay(&mut scene, 9, DVec2::new(1.1, -0.4));
+    for (number, z) in wall {
+        lay(&mut scene, number, DVec2::new(0.0, z));
+    }
+    scene.check().expect("the balls have room");
+    (state, scene)
+}
+
+#[test]
+fn who_is_hidden_after_the_break_pushes_out_to_where_neither_has_much() {
+    let (state, scene) = hidden_after_the_break();
+    for level in &Level::ALL[2..] {
+        let (plan, _) = think(&state, &scene, level);
+        assert_eq!(plan.kind, Kind::PushOut, "{}: {plan:?}", level.name);
+        assert_eq!(plan.call, Call::PushOut);
+        assert!((0.3..0.7).contains(&plan.value), "{plan:?}");
+        let verdict = play(&state, &scene, &plan, plan.shot);
+        assert!(!verdict.is_foul(), "{:?}", verdict.fouls);
+        assert_eq!(verdict.next.standing.choices.len(), 2);
+    }
+    // Who sees the ball plays it, and nobody pushes out later.
+    let (mut state, mut scene) = hidden_after_the_break();
+    lay(&mut scene, 0, DVec2::new(0.5, 0.0));
+    lay(&mut scene, 1, DVec2::new(1.1, 0.5));
+    assert_eq!(think(&state, &scene, &TOP).0.kind, Kind::Pot);
+    lay(&mut scene, 0, DVec2::new(-0.15, 0.0));
+    if let Game::NineBall(rules) = &mut state.game {
+        rules.phase = Phase::Later;
+    }
+    assert_ne!(think(&state, &scene, &TOP).0.call, Call::PushOut);
 }
