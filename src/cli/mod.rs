@@ -21,6 +21,7 @@ use std::ffi::OsString;
 use std::io::{self, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
+use std::time::Instant;
 
 use clap::{Parser, Subcommand};
 use thiserror::Error;
@@ -91,6 +92,9 @@ enum Command {
         /// Preset to play with (see `masse list`), or a preset file, which may be edited while playing
         #[arg(long, value_name = "NAME|FILE")]
         preset: Option<String>,
+        /// Print how long the start takes, phase by phase, and the memory; then end
+        #[arg(long)]
+        time_start: bool,
     },
     /// Run a scene without a window and write what happens as JSON lines
     Run(RunOptions),
@@ -188,6 +192,7 @@ pub fn read(arguments: impl IntoIterator<Item = OsString>) -> u8 {
 /// Does what the arguments of the program say.
 #[must_use]
 pub fn main() -> ExitCode {
+    let begun = Instant::now();
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,
         Err(error) => {
@@ -197,8 +202,15 @@ pub fn main() -> ExitCode {
         }
     };
     let outcome = match cli.command {
-        None => play::play(None, None),
-        Some(Command::Play { scene, preset }) => play::play(scene.as_deref(), preset.as_deref()),
+        None => play::play(None, None, None),
+        Some(Command::Play {
+            scene,
+            preset,
+            time_start,
+        }) => {
+            let timed = time_start.then_some(begun);
+            play::play(scene.as_deref(), preset.as_deref(), timed)
+        }
         Some(Command::Run(options)) => run::run(&options),
         Some(Command::Solve(options)) => solve::run(&options),
         Some(Command::Sensitivity(options)) => sensitivity::run(&options),

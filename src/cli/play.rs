@@ -2,6 +2,7 @@
 
 use std::path::Path;
 use std::process::ExitCode;
+use std::time::Instant;
 
 use crate::cli::simulate::simulate;
 use crate::cli::{CommandError, say, to_file, to_stdout};
@@ -14,13 +15,17 @@ use crate::scenarios::{library, preset};
 /// The scene that is run where there is no window.
 const BREAK: &str = "break-eight";
 
-/// Plays from this scene, or from a racked table, with this preset.
-pub(super) fn play(scene: Option<&str>, preset: Option<&str>) -> Result<ExitCode, CommandError> {
+/// Plays from this scene, or from a racked table, with this preset; times the start if it is told when that was.
+pub(super) fn play(
+    scene: Option<&str>,
+    preset: Option<&str>,
+    timed: Option<Instant>,
+) -> Result<ExitCode, CommandError> {
     let mut scenario = scene.map(library::open).transpose()?;
     if let Some(name) = preset {
         scenario = Some(equipped(scenario, name)?);
     }
-    match window(scenario.as_ref(), scene, preset) {
+    match window(scenario.as_ref(), scene, preset, timed) {
         Ok(code) => Ok(code),
         Err(reason) => {
             let name = scene.unwrap_or(BREAK);
@@ -68,6 +73,7 @@ fn window(
     scenario: Option<&Scenario>,
     scene: Option<&str>,
     preset: Option<&str>,
+    timed: Option<Instant>,
 ) -> Result<ExitCode, String> {
     use crate::window::Source;
     let source = match (preset, scene, scenario) {
@@ -81,7 +87,8 @@ fn window(
         ) => Some(Source::Scene(scene.to_owned())),
         _ => None,
     };
-    let exit = crate::window::play(scenario.cloned(), source).map_err(|error| error.to_string())?;
+    let exit =
+        crate::window::play(scenario.cloned(), source, timed).map_err(|error| error.to_string())?;
     Ok(match exit {
         bevy::app::AppExit::Success => ExitCode::SUCCESS,
         bevy::app::AppExit::Error(code) => ExitCode::from(code.get()),
@@ -90,7 +97,12 @@ fn window(
 
 /// A build without a window never opens one.
 #[cfg(not(feature = "window"))]
-fn window(_: Option<&Scenario>, _: Option<&str>, _: Option<&str>) -> Result<ExitCode, String> {
+fn window(
+    _: Option<&Scenario>,
+    _: Option<&str>,
+    _: Option<&str>,
+    _: Option<Instant>,
+) -> Result<ExitCode, String> {
     Err("this is a build without a window".to_owned())
 }
 

@@ -19,15 +19,19 @@ mod render;
 mod scenario_ui;
 mod shot_ui;
 mod sound;
+mod start;
 
 pub use display::{NoDisplay, snapshot};
 pub use preset::Source;
 pub use render::quality::RenderQuality;
 pub use scenario_ui::{OnTable, OwnScenes, Stage, Studio, Turn};
 
+use std::time::Instant;
+
 use bevy::app::PluginGroupBuilder;
 use bevy::asset::AssetPlugin;
 use bevy::log::{Level, LogPlugin};
+
 use bevy::prelude::*;
 use bevy::window::WindowResizeConstraints;
 use bevy_egui::{EguiPlugin, EguiPreUpdateSet, EguiPrimaryContextPass};
@@ -156,11 +160,16 @@ impl PluginGroup for Windowed {
 }
 
 /// Opens the window and plays until it is closed, starting from this scene or from a racked table. The files of the
-/// source, if there is one, are followed: a change of them comes to the table between two shots.
+/// source, if there is one, are followed: a change of them comes to the table between two shots. If the start is to be
+/// timed, from when the program began, its phases are printed and it ends when everything is there.
 ///
 /// # Errors
 /// [`NoDisplay`] if there is nothing to draw on or with.
-pub fn play(scenario: Option<Scenario>, source: Option<Source>) -> Result<AppExit, NoDisplay> {
+pub fn play(
+    scenario: Option<Scenario>,
+    source: Option<Source>,
+    timed: Option<Instant>,
+) -> Result<AppExit, NoDisplay> {
     let mut app = display::on_screen(|quality| {
         let mut app = App::new();
         app.insert_resource(quality)
@@ -182,6 +191,9 @@ pub fn play(scenario: Option<Scenario>, source: Option<Source>) -> Result<AppExi
     lay_out(app.world_mut(), &scene);
     if let Some(source) = source {
         preset::begin(app.world_mut(), source);
+    }
+    if let Some(begun) = timed {
+        start::time(&mut app, begun);
     }
     Ok(app.run())
 }

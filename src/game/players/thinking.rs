@@ -70,6 +70,8 @@ pub struct Thinking {
     planned: usize,
     stage: Stage,
     fallen_back: bool,
+    /// Share of the time that is used up, where time counts.
+    hurry: f64,
 }
 
 impl Thinking {
@@ -102,6 +104,7 @@ impl Thinking {
             planned: 0,
             stage: Stage::Screen,
             fallen_back: false,
+            hurry: 0.0,
             state: state.clone(),
             on,
         };
@@ -129,11 +132,20 @@ impl Thinking {
         })
     }
 
+    /// Tells that this share of the time is used up, for whoever has not got all the time in the world: every stage then
+    /// ends at the latest when its share of the time is over, as it does when its share of the budget is. The plan depends
+    /// on the machine from then on.
+    pub fn press(&mut self, share: f64) {
+        self.hurry = share;
+    }
+
     /// Goes one step further. False when there is nothing more to think about.
     pub fn step(&mut self) -> bool {
         match self.stage {
             Stage::Screen => match self.ideas.pop_front() {
-                Some(idea) if self.has_budget(SCREENED) || self.plans.is_empty() => {
+                Some(idea)
+                    if self.has_budget(SCREENED) || (self.plans.is_empty() && self.hurry < 1.0) =>
+                {
                     self.screen(&idea);
                 }
                 _ => self.end_screening(),
@@ -191,7 +203,8 @@ impl Thinking {
 
     /// Whether less than this share of the budget is used up.
     pub(super) fn has_budget(&self, share: f64) -> bool {
-        f64::from(self.rehearsal.trials) < share * f64::from(self.level.skills.budget)
+        let rehearsed = f64::from(self.rehearsal.trials);
+        rehearsed < share * f64::from(self.level.skills.budget) && self.hurry < share
     }
 
     fn sort(&mut self) {

@@ -25,6 +25,9 @@ use crate::sim::messages::{LoadScene, Strike};
 /// Seconds for which a player shows what it means to do before it strikes.
 const SHOWN: f64 = 1.2;
 
+/// Seconds within which a thought ends: less than that on a machine of today, so that it counts on a slow one only.
+const LONGEST: f64 = 0.9;
+
 /// Share of [`SHOWN`] after which the cue is drawn back.
 const STILL: f64 = 0.5;
 
@@ -110,7 +113,8 @@ fn seeds(game: &Match) -> (u64, u64) {
     (mixed, mixed.wrapping_add(0x9FB2_1C65_1E98_DF25))
 }
 
-/// From a match to what the player at the table does. Unless it is hurried the outcome depends on the match alone.
+/// From a match to what the player at the table does. Unless it is hurried, or has thought for too long, the outcome depends
+/// on the match alone.
 fn decide(game: &Match, level: &Level, shared: &Shared) -> Result<Decision, String> {
     let table = game.table();
     if game.phase() == Phase::Choose {
@@ -127,7 +131,9 @@ fn decide(game: &Match, level: &Level, shared: &Shared) -> Result<Decision, Stri
     let (think, hand) = seeds(game);
     let mut thinking =
         Thinking::new(game.state(), &table, level, think).map_err(|error| error.to_string())?;
+    let begun = Instant::now();
     while !shared.hurry.load(Ordering::Relaxed) && thinking.step() {
+        thinking.press(begun.elapsed().as_secs_f64() / LONGEST);
         if let Ok(mut progress) = shared.progress.lock() {
             *progress = Some(thinking.progress());
         }

@@ -49,12 +49,12 @@ pub(super) fn show(
                         }
                         Some(Phase::Choose) if turns.is_computers() => {}
                         Some(Phase::Play) => {
-                            let key = bindings.name(Action::Call, &language);
+                            let key = |action| bindings.name(action, &language);
                             before_the_stroke(
                                 ui,
                                 game,
                                 &language,
-                                &key,
+                                [key(Action::Call), key(Action::Place)],
                                 &mut pointing,
                                 &mut commands,
                             );
@@ -160,19 +160,21 @@ fn thought(
     });
 }
 
-/// What a person may call, and that the cue ball is in hand; `key` is the one that calls what is aimed at.
+/// What a person may call, and that the cue ball is in hand; the keys are those that call what is aimed
+/// at and that take the ball up.
 fn before_the_stroke(
     ui: &mut egui::Ui,
     game: &Match,
     language: &Language,
-    key: &str,
+    [call_key, place_key]: [String; 2],
     pointing: &mut Pointing,
     commands: &mut MessageWriter<TurnCommand>,
 ) {
     let on = game.targets();
     let table = game.table();
     if on.in_hand.is_some() {
-        ui.label(language.text("match-in-hand"));
+        let key = [("key", place_key.into())];
+        ui.label(language.with("match-in-hand", &key));
     }
     let called = game.called();
     ui.horizontal_wrapped(|ui| {
@@ -214,7 +216,7 @@ fn before_the_stroke(
         chosen_by_name(ui, game, language, pointing, commands);
     }
     if called == Call::Nothing {
-        ui.weak(language.with("match-call-hint", &[("key", key.into())]));
+        ui.weak(language.with("match-call-hint", &[("key", call_key.into())]));
     }
 }
 

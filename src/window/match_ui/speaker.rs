@@ -20,10 +20,9 @@ pub(super) fn speak(
         for (text, is_failure) in said(news, &turns) {
             told.write(Told { text, is_failure });
         }
-        let in_hand = turns
-            .game()
-            .filter(|_| turns.may_strike())
-            .is_some_and(|game| game.targets().in_hand.is_some());
+        // A break is played from where the ball lies unless somebody wants it elsewhere.
+        let places = turns.game().is_some_and(|game| !game.targets().is_break);
+        let in_hand = places && turns.places_cue_ball();
         if matches!(
             news,
             TurnNews::Begun | TurnNews::Judged | TurnNews::Chosen { .. }

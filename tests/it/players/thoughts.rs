@@ -294,3 +294,22 @@ fn who_is_hidden_after_the_break_pushes_out_to_where_neither_has_much() {
     }
     assert_ne!(think(&state, &scene, &TOP).0.call, Call::PushOut);
 }
+
+#[test]
+fn who_is_pressed_for_time_still_has_a_plan_and_rehearses_less() {
+    for seed in 0..6 {
+        let (state, scene) = strewn(300 + seed);
+        let (_, all) = think(&state, &scene, &TOP);
+        let mut thinking = Thinking::new(&state, &scene, &TOP, 5).expect("a sound scene");
+        let mut steps: u32 = 0;
+        while thinking.step() {
+            steps += 1;
+            thinking.press(f64::from(steps) / 20.0);
+        }
+        assert!(steps <= 24, "{steps}");
+        let trials = thinking.progress().trials;
+        assert!(trials < all, "{trials} of {all}");
+        let plan = thinking.plan();
+        assert!(plan.shot.speed > 0.0);
+    }
+}
