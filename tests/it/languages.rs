@@ -274,3 +274,32 @@ fn sentences_of_other_rooms_are_translated_or_said_as_they_are() {
     let spoiled = Saying::new("notice-file-changed", &[], "changed");
     assert_eq!(german.say(&spoiled), "changed", "a value is missing");
 }
+
+#[test]
+fn every_letter_of_every_language_and_every_control_has_a_picture() {
+    use bevy_egui::egui;
+    let context = egui::Context::default();
+    context.set_fonts(masse::window::language::letters::fonts());
+    let _ = context.run_ui(egui::RawInput::default(), |_| {});
+    let font = egui::FontId::proportional(14.0);
+    let mut texts: Vec<String> = Vec::new();
+    for language in LANGUAGES {
+        let spoken = Language::of_code(language.code);
+        texts.push(language.name.to_owned());
+        texts.extend(english().keys().filter_map(|key| {
+            let text = spoken.find(key)?;
+            Some(text.to_owned())
+        }));
+        let bindings = masse::window::action::Bindings::default();
+        let controls = bindings.iter().flat_map(|(_, controls)| controls.to_vec());
+        texts.extend(controls.map(|control| control.name(&spoken)));
+    }
+    assert!(texts.iter().any(|text| text.contains('→')));
+    for text in texts {
+        let letters = text.chars().filter(|letter| !letter.is_whitespace());
+        for letter in letters {
+            let drawn = context.fonts_mut(|fonts| fonts.has_glyph(&font, letter));
+            assert!(drawn, "`{letter}` in {text}");
+        }
+    }
+}

@@ -2,16 +2,19 @@
 //!
 //! A language is a file there and a line in [`LANGUAGES`]. What a file lacks is said in English.
 
+pub mod letters;
 mod texts;
 
 use std::sync::Arc;
 
 use bevy::ecs::message::MessageUpdateSystems;
 use bevy::prelude::*;
+use bevy_egui::EguiPrimaryContextPass;
 use fluent_bundle::FluentValue;
 
 use crate::game::saying::{Saying, Value};
 use crate::game::settings::Settings;
+use crate::window::WindowSystems;
 use texts::Texts;
 
 /// A language that is built in.
@@ -187,7 +190,11 @@ fn best(locales: impl IntoIterator<Item = String>) -> &'static str {
 
 pub(super) fn plugin(app: &mut App) {
     app.init_resource::<Language>()
-        .add_systems(First, speak.after(MessageUpdateSystems));
+        .add_systems(First, speak.after(MessageUpdateSystems))
+        .add_systems(
+            EguiPrimaryContextPass,
+            letters::lend.before(WindowSystems::Ui),
+        );
 }
 
 /// Speaks the language of the settings, or that of the system.

@@ -14,6 +14,11 @@ use crate::window::match_ui::report;
 use crate::window::page::Open;
 use crate::window::page::panel_id;
 
+/// Points between panels.
+const GAP: f32 = 8.0;
+/// Least width of the score in points.
+const NARROW: f32 = 300.0;
+
 /// Lays out the score.
 #[expect(
     clippy::too_many_arguments,
@@ -33,11 +38,14 @@ pub(super) fn show(
         return Ok(());
     };
     let context = contexts.ctx_mut()?;
+    let room = room(context);
     egui::Area::new(panel_id(context, "score"))
-        .anchor(egui::Align2::CENTER_TOP, egui::vec2(0.0, 8.0))
+        .pivot(egui::Align2::CENTER_TOP)
+        .fixed_pos(room.center_top())
         .show(context, |ui| {
+            ui.set_max_width(room.width());
             egui::Frame::popup(ui.style()).show(ui, |ui| {
-                ui.vertical_centered(|ui| {
+                ui.vertical(|ui| {
                     score(ui, game, &language);
                     if replay.is_active() {
                         return;
@@ -98,6 +106,59 @@ pub(super) fn show(
     Ok(())
 }
 
+/// The room above the table that other panels leave: between them, or below the corner where that is too narrow.
+fn room(context: &egui::Context) -> egui::Rect {
+    let screen = context.content_rect().shrink(GAP);
+    let lies = |id: egui::Id| {
+        context.memory(|memory| {
+            let is_there = |order| {
+                let layer = egui::LayerId::new(order, id);
+                memory.areas().visible_last_frame(&layer)
+            };
+            let seen = is_there(egui::Order::Middle) || is_there(egui::Order::Foreground);
+            memory.area_rect(id).filter(|_| seen)
+        })
+    };
+    let corner = lies(panel_id(context, "corner"))
+        .unwrap_or(egui::Rect::from_min_size(screen.min, egui::Vec2::ZERO));
+    let panels = ["shot", "studio", "scenario"].map(|name| panel_id(context, name));
+    let right = panels
+        .into_iter()
+        .chain([egui::Id::new("shot panel button")])
+        .filter_map(lies)
+        .filter(|rect| rect.top() < corner.bottom() + 3.0 * GAP && rect.left() > corner.right())
+        .map(|rect| rect.left() - GAP)
+        .fold(screen.right(), f32::min);
+    let between = corner.right() + GAP;
+    let from = if right - between >= NARROW {
+        egui::pos2(between, screen.top())
+    } else {
+        egui::pos2(screen.left(), corner.bottom() + GAP)
+    };
+    let width = (right - from.x).max(NARROW);
+    egui::Rect::from_min_size(from, egui::vec2(width, screen.height()))
+}
+
+/// Numbers that follow each other as from one to the other, as 1–7, 9.
+fn in_short(names: &[String]) -> String {
+    let number = |name: &String| name.parse::<u32>().ok();
+    let mut parts: Vec<String> = Vec::new();
+    let mut rest = names;
+    while let Some(first) = rest.first() {
+        let follows =
+            |pair: &[String]| number(&pair[0]).is_some_and(|one| number(&pair[1]) == Some(one + 1));
+        let run = 1 + rest.windows(2).take_while(|pair| follows(pair)).count();
+        if run > 2 {
+            parts.push(format!("{first}–{}", rest[run - 1]));
+            rest = &rest[run..];
+        } else {
+            parts.push(first.clone());
+            rest = &rest[1..];
+        }
+    }
+    parts.join(", ")
+}
+
 /// Names, racks, points; who is at the table stands out.
 fn score(ui: &mut egui::Ui, game: &Match, language: &Language) {
     let standing = &game.state().standing;
@@ -133,7 +194,7 @@ fn score(ui: &mut egui::Ui, game: &Match, language: &Language) {
             .map(|name| language.say(name))
             .collect();
         if !names.is_empty() && names.len() < 16 {
-            let balls = names.join(", ");
+            let balls = in_short(&names);
             ui.weak(language.with("match-on", &[("balls", balls.into())]));
         }
     }
@@ -174,7 +235,7 @@ fn before_the_stroke(
     let table = game.table();
     if on.in_hand.is_some() {
         let key = [("key", place_key.into())];
-        ui.label(language.with("match-in-hand", &key));
+        ui.add(egui::Label::new(language.with("match-in-hand", &key)).wrap());
     }
     let called = game.called();
     ui.horizontal_wrapped(|ui| {
@@ -182,7 +243,7 @@ fn before_the_stroke(
             ui.toggle_value(&mut pointing.by_name, language.text("match-call"));
             let said = match called {
                 Call::Pot { ball, pocket } => format!(
-                    "{} → {}",
+                    "{} ▶ {}",
                     language.say(&wording::ball_alone(&table, ball)),
                     language.say(&wording::pocket(&table, pocket))
                 ),
@@ -216,7 +277,8 @@ fn before_the_stroke(
         chosen_by_name(ui, game, language, pointing, commands);
     }
     if called == Call::Nothing {
-        ui.weak(language.with("match-call-hint", &[("key", call_key.into())]));
+        let hint = language.with("match-call-hint", &[("key", call_key.into())]);
+        ui.add(egui::Label::new(egui::RichText::new(hint).weak()).wrap());
     }
 }
 
@@ -251,5 +313,22 @@ fn chosen_by_name(
     }
     if let Some(call) = pointing.take_call(on.call_needed) {
         commands.write(TurnCommand::Call(call));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::in_short;
+
+    #[test]
+    fn numbers_that_follow_each_other_are_told_in_short() {
+        let short = |names: &[&str]| {
+            let names: Vec<String> = names.iter().map(|name| (*name).to_owned()).collect();
+            in_short(&names)
+        };
+        assert_eq!(short(&["1", "2", "3", "4", "6", "7", "9"]), "1–4, 6, 7, 9");
+        assert_eq!(short(&["yellow", "green", "8"]), "yellow, green, 8");
+        assert_eq!(short(&["15"]), "15");
+        assert_eq!(short(&[]), "");
     }
 }
