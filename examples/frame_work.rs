@@ -94,6 +94,14 @@ fn processor() -> f64 {
     (ticks(11).unwrap_or(0.0) + ticks(12).unwrap_or(0.0)) / 100.0
 }
 
+/// Resident memory, KiB, where the system tells.
+fn resident() -> u64 {
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let line = status.lines().find_map(|line| line.strip_prefix("VmRSS:"));
+    let number = line.and_then(|line| line.trim().split(' ').next()?.parse().ok());
+    number.unwrap_or(0)
+}
+
 /// Plays frames, each after a change; prints what they cost and gives the median.
 fn measure(
     name: &str,
@@ -170,6 +178,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         frames,
         floor,
         turn,
+    );
+    println!(
+        "resident memory without a window and a driver {} MiB",
+        resident() / 1024
     );
     Ok(())
 }

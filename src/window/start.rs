@@ -118,7 +118,7 @@ fn of(path: &str) -> &'static str {
     ];
     if driver.iter().any(|name| path.contains(name)) {
         "files of the graphics driver"
-    } else if path.contains("memfd") || path.starts_with("/dev/") {
+    } else if path.contains("memfd") || path.contains("/dev/") {
         "buffers shared with the driver or the screen"
     } else if path == "[heap]" || path.is_empty() || path.starts_with("[anon") {
         "heap of the program and of the driver"

@@ -295,11 +295,13 @@ fn every_letter_of_every_language_and_every_control_has_a_picture() {
         texts.extend(controls.map(|control| control.name(&spoken)));
     }
     assert!(texts.iter().any(|text| text.contains('→')));
+    let mut lacking = BTreeSet::new();
     for text in texts {
-        let letters = text.chars().filter(|letter| !letter.is_whitespace());
-        for letter in letters {
-            let drawn = context.fonts_mut(|fonts| fonts.has_glyph(&font, letter));
-            assert!(drawn, "`{letter}` in {text}");
-        }
+        // Of the font that has the sign for what is lacking the panels cannot tell; it has these.
+        let letters = text.chars().filter(|letter| !" ◀▶".contains(*letter));
+        lacking.extend(
+            letters.filter(|letter| !context.fonts_mut(|fonts| fonts.has_glyph(&font, *letter))),
+        );
     }
+    assert!(lacking.is_empty(), "{lacking:?}");
 }

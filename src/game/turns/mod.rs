@@ -241,5 +241,11 @@ pub(super) fn plugin(app: &mut App) {
                     .in_set(SimSystems::Judge),
             ),
         )
-        .add_systems(Last, saves::finish.run_if(on_message::<AppExit>));
+        .add_systems(
+            Last,
+            // It changes nothing: whatever runs beside it.
+            saves::finish
+                .run_if(on_message::<AppExit>)
+                .ambiguous_with_all(),
+        );
 }

@@ -1,7 +1,6 @@
 //! The letters of the panels: those of egui, with its monospaced font for signs that the others lack, as arrows.
 
-use bevy::prelude::*;
-use bevy_egui::{EguiContexts, egui};
+use bevy_egui::egui;
 
 /// The fonts of the panels.
 #[must_use]
@@ -18,13 +17,4 @@ pub fn fonts() -> egui::FontDefinitions {
         }
     }
     fonts
-}
-
-/// Gives the panels their fonts, once for each context.
-pub(super) fn lend(mut contexts: EguiContexts, mut done: Local<bool>) -> Result {
-    if !*done {
-        contexts.ctx_mut()?.set_fonts(fonts());
-        *done = true;
-    }
-    Ok(())
 }

@@ -9,12 +9,10 @@ use std::sync::Arc;
 
 use bevy::ecs::message::MessageUpdateSystems;
 use bevy::prelude::*;
-use bevy_egui::EguiPrimaryContextPass;
 use fluent_bundle::FluentValue;
 
 use crate::game::saying::{Saying, Value};
 use crate::game::settings::Settings;
-use crate::window::WindowSystems;
 use texts::Texts;
 
 /// A language that is built in.
@@ -190,11 +188,7 @@ fn best(locales: impl IntoIterator<Item = String>) -> &'static str {
 
 pub(super) fn plugin(app: &mut App) {
     app.init_resource::<Language>()
-        .add_systems(First, speak.after(MessageUpdateSystems))
-        .add_systems(
-            EguiPrimaryContextPass,
-            letters::lend.before(WindowSystems::Ui),
-        );
+        .add_systems(First, speak.after(MessageUpdateSystems));
 }
 
 /// Speaks the language of the settings, or that of the system.

@@ -15,6 +15,7 @@ use bevy_egui::EguiPrimaryContextPass;
 use bevy_egui::input::egui_wants_any_keyboard_input;
 
 use crate::window::WindowSystems;
+use crate::window::page::Screen;
 
 pub(super) fn plugin(app: &mut App) {
     app.init_resource::<call::Pointing>()
@@ -22,11 +23,14 @@ pub(super) fn plugin(app: &mut App) {
         .add_systems(
             PreUpdate,
             (
-                call::point,
-                call::by_key.run_if(not(egui_wants_any_keyboard_input)),
-            )
-                .chain()
-                .in_set(WindowSystems::Input),
+                call::point.in_set(WindowSystems::Input),
+                // The cue has been turned by then.
+                call::by_key
+                    .run_if(in_state(Screen::Table))
+                    .run_if(not(egui_wants_any_keyboard_input))
+                    .after(WindowSystems::Input)
+                    .before(WindowSystems::Scenes),
+            ),
         )
         .add_systems(FixedPostUpdate, speaker::speak)
         .add_systems(

@@ -17,7 +17,7 @@ use leafwing_input_manager::prelude::ActionState;
 use crate::game::settings::Settings;
 use crate::window::WindowSystems;
 use crate::window::action::Action;
-use crate::window::language::Language;
+use crate::window::language::{Language, letters};
 use crate::window::page::{Open, Page, PageId, Pages, Screen, Show};
 
 /// Width of a page in points.
@@ -52,10 +52,17 @@ pub(super) fn plugin(app: &mut App) {
 }
 
 /// Letters and panels as large as the player wants them, and as still.
-fn suit(mut contexts: EguiContexts, settings: Res<Settings>) -> Result {
+fn suit(
+    mut contexts: EguiContexts,
+    settings: Res<Settings>,
+    mut has_letters: Local<bool>,
+) -> Result {
     let scales = Settings::SCALES;
     let scale = settings.scale.clamp(*scales.start(), *scales.end());
     let context = contexts.ctx_mut()?;
+    if !std::mem::replace(&mut *has_letters, true) {
+        context.set_fonts(letters::fonts());
+    }
     context.set_zoom_factor(scale);
     let fading = if settings.reduced_motion {
         0.0

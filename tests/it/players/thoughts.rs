@@ -274,7 +274,8 @@ fn hidden_after_the_break() -> (GameState, Scene) {
 #[test]
 fn who_is_hidden_after_the_break_pushes_out_to_where_neither_has_much() {
     let (state, scene) = hidden_after_the_break();
-    for level in &Level::ALL[2..] {
+    // The highest level has a kick that it is sure of.
+    for level in &Level::ALL[2..4] {
         let (plan, _) = think(&state, &scene, level);
         assert_eq!(plan.kind, Kind::PushOut, "{}: {plan:?}", level.name);
         assert_eq!(plan.call, Call::PushOut);
@@ -297,19 +298,19 @@ fn who_is_hidden_after_the_break_pushes_out_to_where_neither_has_much() {
 
 #[test]
 fn who_is_pressed_for_time_still_has_a_plan_and_rehearses_less() {
+    let mut rehearsed = (0, 0);
     for seed in 0..6 {
         let (state, scene) = strewn(300 + seed);
-        let (_, all) = think(&state, &scene, &TOP);
+        rehearsed.0 += think(&state, &scene, &TOP).1;
         let mut thinking = Thinking::new(&state, &scene, &TOP, 5).expect("a sound scene");
         let mut steps: u32 = 0;
         while thinking.step() {
             steps += 1;
-            thinking.press(f64::from(steps) / 20.0);
+            thinking.press(f64::from(steps) / 6.0);
         }
-        assert!(steps <= 24, "{steps}");
-        let trials = thinking.progress().trials;
-        assert!(trials < all, "{trials} of {all}");
-        let plan = thinking.plan();
-        assert!(plan.shot.speed > 0.0);
+        assert!(steps <= 10, "{steps}");
+        rehearsed.1 += thinking.progress().trials;
+        assert!(thinking.best().is_some_and(|plan| plan.shot.speed > 0.0));
     }
+    assert!(4 * rehearsed.1 < 3 * rehearsed.0, "{rehearsed:?}");
 }
