@@ -15,6 +15,8 @@ use crate::window::page::panel_id;
 
 /// How long a notice stays.
 const STAY: Duration = Duration::from_secs(8);
+/// What a frame counts at most while a notice stays.
+const LONGEST: Duration = Duration::from_millis(200);
 /// Notices shown at once.
 const SHOWN: usize = 3;
 
@@ -23,6 +25,8 @@ const SHOWN: usize = 3;
 pub(super) struct Notices {
     /// What is said, whether it tells of a failure, and until when it stays.
     list: Vec<(Saying, bool, Duration)>,
+    /// Time that somebody could read in: a frame that took long, as the first ones do, counts as a short one.
+    read: Duration,
 }
 
 impl Notices {
@@ -59,6 +63,8 @@ pub(super) fn listen(
     time: Res<Time<Real>>,
     mut notices: ResMut<Notices>,
 ) {
+    let now = notices.read + time.delta().min(LONGEST);
+    notices.bypass_change_detection().read = now;
     for failure in failed.read() {
         let (at, reason) = (format!("{:.4}", failure.time), failure.reason.clone());
         let saying = Saying::new(
@@ -66,19 +72,18 @@ pub(super) fn listen(
             &[("time", &at), ("reason", &reason)],
             format!("The solver stopped at {at} s: {reason}. The table is back as it was."),
         );
-        notices.tell(saying, true, time.elapsed() + STAY);
+        notices.tell(saying, true, now + STAY);
     }
     for Struck(event) in struck.read() {
         if event.kind == (EventKind::Strike { miscue: true }) {
             let english = "Miscue: the tip slipped off the ball.";
             let saying = Saying::new("notice-miscue", &[], english);
-            notices.tell(saying, true, time.elapsed() + STAY);
+            notices.tell(saying, true, now + STAY);
         }
     }
     for Told { text, is_failure } in told.read() {
-        notices.tell(text.clone(), *is_failure, time.elapsed() + STAY);
+        notices.tell(text.clone(), *is_failure, now + STAY);
     }
-    let now = time.elapsed();
     if notices.list.iter().any(|(.., until)| *until < now) {
         notices.list.retain(|(.., until)| *until >= now);
     }
