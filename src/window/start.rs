@@ -120,7 +120,7 @@ fn of(path: &str) -> &'static str {
         "files of the graphics driver"
     } else if path.contains("memfd") || path.contains("/dev/") {
         "buffers shared with the driver or the screen"
-    } else if path == "[heap]" || path.is_empty() || path.starts_with("[anon") {
+    } else if path == "[heap]" || path.is_empty() || path.contains("[anon") {
         "heap of the program and of the driver"
     } else {
         "the program, its libraries, stacks"

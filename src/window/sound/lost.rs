@@ -37,7 +37,7 @@ pub(in crate::window) fn layer(app: &mut App) -> Option<BoxedLayer> {
 }
 
 pub(super) fn plugin(app: &mut App) {
-    app.add_systems(Update, tell.run_if(resource_exists::<Lost>));
+    app.add_systems(PostUpdate, tell.run_if(resource_exists::<Lost>));
 }
 
 fn tell(lost: Res<Lost>, mut was_told: Local<bool>, mut told: MessageWriter<Told>) {

@@ -151,20 +151,31 @@ fn balls_are_placed_with_keys_alone() {
     let (cue, next) = (place(&mut app, 0), place(&mut app, 1));
     press(&mut app, KeyCode::KeyB);
     assert!(app.world().resource::<Practice>().placing);
-    // The camera looks along x: what is right on the screen is z, what is up is x.
-    let moved = |app: &mut App, ball: usize, from: bevy::math::DVec3, x: f64, z: f64| {
+    // A step is a centimetre, as it is seen on the screen.
+    let seen = |app: &mut App, way: bevy::math::DVec3| {
+        let world = app.world_mut();
+        let mut cameras = world.query_filtered::<&GlobalTransform, With<Camera3d>>();
+        let camera = cameras.single(world).expect("there is one");
+        let right = camera.right().as_vec3().as_dvec3().with_y(0.0).normalize();
+        (way.dot(right), way.cross(right).y)
+    };
+    let stepped = |app: &mut App, ball: usize, from: bevy::math::DVec3| {
+        until(app, |app| {
+            ((place(app, ball) - from).length() - 0.01).abs() < 1e-5
+        });
         let way = place(app, ball) - from;
-        (way.x - x).abs() < 1e-5 && (way.z - z).abs() < 1e-5
+        seen(app, way)
     };
     press(&mut app, KeyCode::ArrowRight);
-    until(&mut app, |app| moved(app, 0, cue, 0.0, 0.01));
+    let (right, _) = stepped(&mut app, 0, cue);
+    assert!(right > 0.0099, "{right}");
+    let cue = place(&mut app, 0);
     press(&mut app, KeyCode::ArrowUp);
-    until(&mut app, |app| moved(app, 0, cue, 0.01, 0.01));
+    let (right, away) = stepped(&mut app, 0, cue);
+    assert!(right.abs() < 1e-3 && away.abs() > 0.0099, "{right} {away}");
     press(&mut app, KeyCode::Period);
     press(&mut app, KeyCode::ArrowLeft);
-    until(&mut app, |app| {
-        ((place(app, 1) - next).length() - 0.01).abs() < 1e-5
-    });
+    stepped(&mut app, 1, next);
     press(&mut app, KeyCode::Escape);
     assert!(!app.world().resource::<Practice>().placing);
     assert_eq!(screen(&app), Screen::Table, "Esc closed one thing only");
