@@ -13,7 +13,7 @@ use bevy::render::settings::WgpuSettings;
 use bevy::time::TimeUpdateStrategy;
 use bevy::window::ExitCondition;
 use bevy::winit::WinitPlugin;
-use bevy_egui::{EguiInput, EguiPlugin, PrimaryEguiContext, egui};
+use bevy_egui::{EguiInput, EguiPlugin, EguiPrimaryContextPass, PrimaryEguiContext, egui};
 use masse::game::aim::Aim;
 use masse::game::practice;
 use masse::physics::scene::Scene;
@@ -140,7 +140,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         .nth(1)
         .map_or(Ok(600), |text| text.parse())?;
     let mut alone = bevy_alone();
-    alone.add_plugins(EguiPlugin::default());
+    alone
+        .add_plugins(EguiPlugin::default())
+        .init_schedule(EguiPrimaryContextPass);
     alone.world_mut().spawn(Camera3d::default());
     let mut alone = ready(alone);
     let floor = measure("Bevy and its panels alone", &mut alone, frames, 0.0, |_| {});
