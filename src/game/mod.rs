@@ -20,6 +20,7 @@ pub mod snap;
 pub mod studio;
 pub mod target;
 pub mod turns;
+pub mod twin;
 pub mod view;
 pub mod volume;
 pub mod watch;
@@ -39,6 +40,7 @@ impl Plugin for GamePlugin {
             replay::plugin,
             settings::plugin,
             turns::plugin,
+            twin::plugin,
             studio::plugin,
             view::plugin,
             watch::plugin,

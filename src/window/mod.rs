@@ -113,6 +113,7 @@ impl Plugin for WindowPlugin {
             )
             .add_plugins((
                 picture,
+                camera::panels,
                 language::plugin,
                 page::plugin,
                 action::plugin,

@@ -77,6 +77,12 @@ pub enum Action {
     ZoomOut,
     /// Next camera.
     Camera,
+    /// Next camera of the scene.
+    SceneCamera,
+    /// A second camera beside the first, or the whole picture.
+    SecondCamera,
+    /// The same stroke by other laws beside it, or the whole picture.
+    OtherLaws,
     /// To the overhead camera and back.
     Overhead,
     /// Show or hide the guides.

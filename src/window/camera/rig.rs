@@ -1,15 +1,33 @@
-//! The three views, what the player has set in each, and the way from one to the other.
+//! The views, what the player has set in each, and the way from one to the other.
 
 use bevy::prelude::*;
 
 use crate::game::view::{CameraInput, CameraMode};
 use crate::window::camera::pose::Pose;
 
+/// What a mode comes to on this table.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Seat {
+    /// Behind the cue, along the aim.
+    BehindCue,
+    /// From above, the whole table.
+    Overhead,
+    /// Freely around a point of the table.
+    Orbit,
+    /// Beside a ball, moving with it; where its centre is, if it is there.
+    Follow(Option<Vec3>),
+    /// Where a scene wants it.
+    Fixed(Pose),
+}
+
 /// Seconds in which a change of mode comes within 1/e of its goal.
 const EASE: f32 = 0.16;
 
 /// Seconds in which the view comes within 1/e of a ball that has come to rest elsewhere.
 const CATCH_UP: f32 = 0.25;
+
+/// Seconds in which the view comes within 1/e of a ball that it follows.
+const CLING: f32 = 0.06;
 
 /// Wood around the playing surface that an overhead view shows, m.
 const MARGIN: f32 = 0.24;
@@ -31,8 +49,8 @@ pub(super) struct Surroundings {
     pub watched: Option<Vec3>,
 }
 
-/// What the player has set in each view, and the way from the last view.
-#[derive(Resource, Debug)]
+/// What the player has set in each view of one camera, and the way from the last view.
+#[derive(Component, Debug)]
 pub(super) struct Rig {
     behind_distance: f32,
     behind_pitch: f32,
@@ -42,6 +60,12 @@ pub(super) struct Rig {
     orbit_yaw: f32,
     orbit_pitch: f32,
     orbit_distance: f32,
+    /// How the view beside a ball is turned from behind the cue, how far down it looks, how far off it is.
+    follow_yaw: f32,
+    follow_pitch: f32,
+    follow_distance: f32,
+    /// The ball that is followed, as the camera sees it.
+    followed: Option<Vec3>,
     /// The ball as the camera follows it.
     anchor: Option<Vec3>,
     /// The mode on the screen.
@@ -64,6 +88,10 @@ impl Default for Rig {
             orbit_yaw: 0.5,
             orbit_pitch: 0.62,
             orbit_distance: 2.7,
+            follow_yaw: 0.6,
+            follow_pitch: 0.5,
+            follow_distance: 0.8,
+            followed: None,
             anchor: None,
             mode: CameraMode::default(),
             from: None,
@@ -97,19 +125,26 @@ impl Rig {
     }
 
     /// Takes what the player asks for in the present mode.
-    pub fn steer(&mut self, mode: CameraMode, input: &CameraInput) {
+    pub fn steer(&mut self, seat: Seat, input: &CameraInput) {
         let closer = libm::expf(-input.zoom.clamp(-3.0, 3.0));
-        match mode {
-            CameraMode::BehindCue => {
+        match seat {
+            Seat::Fixed(_) => {}
+            Seat::Follow(_) => {
+                self.follow_distance = (self.follow_distance * closer).clamp(0.2, 4.0);
+                self.follow_yaw =
+                    (self.follow_yaw + input.orbit.x).rem_euclid(std::f32::consts::TAU);
+                self.follow_pitch = (self.follow_pitch + input.orbit.y).clamp(0.06, 1.5);
+            }
+            Seat::BehindCue => {
                 self.behind_distance = (self.behind_distance * closer).clamp(0.25, 3.0);
                 self.behind_pitch = (self.behind_pitch + input.orbit.y).clamp(0.08, 1.3);
             }
-            CameraMode::Overhead => {
+            Seat::Overhead => {
                 self.overhead_zoom =
                     (self.overhead_zoom * closer).clamp(0.15 / self.scale.max(1.0), 1.5);
                 self.overhead_shift += input.pan;
             }
-            CameraMode::Orbit => {
+            Seat::Orbit => {
                 self.orbit_distance = (self.orbit_distance * closer)
                     .clamp(0.2_f32.min(0.2 * self.scale), 8.0 * self.scale.max(1.0));
                 self.orbit_yaw = (self.orbit_yaw + input.orbit.x).rem_euclid(std::f32::consts::TAU);
@@ -123,7 +158,16 @@ impl Rig {
     }
 
     /// The pose of the next frame, `dt` s after the last; after infinite time everything has come to rest.
-    pub fn advance(&mut self, mode: CameraMode, around: &Surroundings, dt: f32) -> Pose {
+    pub fn advance(
+        &mut self,
+        (mode, seat): (CameraMode, Seat),
+        around: &Surroundings,
+        dt: f32,
+    ) -> Pose {
+        if let Seat::Follow(Some(ball)) = seat {
+            let share = 1.0 - libm::expf(-dt / CLING);
+            self.followed = Some(self.followed.unwrap_or(ball).lerp(ball, share));
+        }
         if let Some(ball) = around.ball {
             let share = 1.0 - libm::expf(-dt / CATCH_UP);
             let anchor = self.anchor.unwrap_or(ball).lerp(ball, share);
@@ -144,7 +188,7 @@ impl Rig {
             self.from = self.shown.map(|pose| (pose, 1.0));
             self.mode = mode;
         }
-        let goal = self.goal(mode, around);
+        let goal = self.goal(seat, around);
         if let Some((_, left)) = &mut self.from {
             *left *= libm::expf(-dt / EASE);
             if *left < 1e-3 {
@@ -160,9 +204,17 @@ impl Rig {
     }
 
     /// Where a mode wants the camera.
-    fn goal(&self, mode: CameraMode, around: &Surroundings) -> Pose {
-        match mode {
-            CameraMode::BehindCue => {
+    fn goal(&self, seat: Seat, around: &Surroundings) -> Pose {
+        match seat {
+            Seat::Fixed(pose) => pose,
+            Seat::Follow(_) => {
+                let ball = self.followed.or(self.anchor).unwrap_or_default();
+                let (sin, cos) = libm::sincosf(self.follow_pitch);
+                let away = Quat::from_rotation_y(self.follow_yaw) * -around.forward;
+                let eye = ball + self.follow_distance * (sin * Vec3::Y + cos * away);
+                Pose::looking_at(eye, ball, Vec3::Y, 0.75)
+            }
+            Seat::BehindCue => {
                 let anchor = self
                     .anchor
                     .unwrap_or(Vec3::new(-0.25 * around.table.x, 0.03, 0.0));
@@ -171,7 +223,7 @@ impl Rig {
                 let target = anchor + 0.55 * self.behind_distance * around.forward;
                 Pose::looking_at(eye, target, Vec3::Y, 0.80)
             }
-            CameraMode::Overhead => {
+            Seat::Overhead => {
                 let fov: f32 = 0.40;
                 let size = around.table + 2.0 * MARGIN * (around.table.y / 1.27).clamp(0.2, 1.0);
                 // A tall window turns the table upright, the foot up.
@@ -188,7 +240,7 @@ impl Rig {
                 let target = self.overhead_shift.x * right + self.overhead_shift.y * up;
                 Pose::looking_at(target + height * Vec3::Y, target, up, fov)
             }
-            CameraMode::Orbit => {
+            Seat::Orbit => {
                 let (sin, cos) = libm::sincosf(self.orbit_pitch);
                 let out = Quat::from_rotation_y(self.orbit_yaw) * Vec3::new(0.0, sin, cos);
                 let eye = self.orbit_target + self.orbit_distance * out;
@@ -226,6 +278,9 @@ fn smooth(t: f32) -> f32 {
 mod tests {
     use super::*;
 
+    const BEHIND: (CameraMode, Seat) = (CameraMode::BehindCue, Seat::BehindCue);
+    const OVERHEAD: (CameraMode, Seat) = (CameraMode::Overhead, Seat::Overhead);
+
     fn around(aspect: f32) -> Surroundings {
         Surroundings {
             ball: Some(Vec3::new(-0.6, 0.03, 0.1)),
@@ -250,7 +305,7 @@ mod tests {
     #[test]
     fn overhead_shows_the_whole_table_in_any_window() {
         for aspect in [0.4, 0.7, 1.0, 1.33, 1.78, 3.5] {
-            let pose = Rig::default().advance(CameraMode::Overhead, &around(aspect), 0.0);
+            let pose = Rig::default().advance(OVERHEAD, &around(aspect), 0.0);
             for (x, z) in [(1.0, 1.0), (-1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)] {
                 let corner = Vec3::new(1.27 * x, 0.04, 0.635 * z);
                 let place = seen(&pose, aspect, corner).abs();
@@ -262,7 +317,7 @@ mod tests {
     #[test]
     fn behind_the_cue_the_ball_is_in_the_middle_and_the_aim_points_up() {
         let around = around(1.78);
-        let pose = Rig::default().advance(CameraMode::BehindCue, &around, 0.0);
+        let pose = Rig::default().advance(BEHIND, &around, 0.0);
         let ball = around.ball.expect("there is a ball");
         let near = seen(&pose, around.aspect, ball);
         let far = seen(&pose, around.aspect, ball + 0.5 * around.forward);
@@ -274,10 +329,10 @@ mod tests {
     fn without_motion_a_change_arrives_at_once() {
         let around = around(1.78);
         let mut rig = Rig::default();
-        rig.advance(CameraMode::BehindCue, &around, f32::INFINITY);
-        let goal = Rig::default().advance(CameraMode::Overhead, &around, 0.0);
+        rig.advance(BEHIND, &around, f32::INFINITY);
+        let goal = Rig::default().advance(OVERHEAD, &around, 0.0);
         assert_eq!(
-            rig.advance(CameraMode::Overhead, &around, f32::INFINITY),
+            rig.advance(OVERHEAD, &around, f32::INFINITY),
             goal
         );
         let elsewhere = Surroundings {
@@ -285,9 +340,9 @@ mod tests {
             ..around
         };
         let mut fresh = Rig::default();
-        let goal = fresh.advance(CameraMode::BehindCue, &elsewhere, 0.0);
+        let goal = fresh.advance(BEHIND, &elsewhere, 0.0);
         assert_eq!(
-            rig.advance(CameraMode::BehindCue, &elsewhere, f32::INFINITY),
+            rig.advance(BEHIND, &elsewhere, f32::INFINITY),
             goal
         );
     }
@@ -296,14 +351,33 @@ mod tests {
     fn a_change_of_mode_is_eased_and_arrives() {
         let around = around(1.78);
         let mut rig = Rig::default();
-        let start = rig.advance(CameraMode::BehindCue, &around, 0.0);
-        let goal = Rig::default().advance(CameraMode::Overhead, &around, 0.0);
-        let first = rig.advance(CameraMode::Overhead, &around, 0.016);
+        let start = rig.advance(BEHIND, &around, 0.0);
+        let goal = Rig::default().advance(OVERHEAD, &around, 0.0);
+        let first = rig.advance(OVERHEAD, &around, 0.016);
         assert!(first.eye.distance(start.eye) < 0.25 * goal.eye.distance(start.eye));
         let mut last = first;
         for _ in 0..120 {
-            last = rig.advance(CameraMode::Overhead, &around, 0.016);
+            last = rig.advance(OVERHEAD, &around, 0.016);
         }
         assert_eq!(last, goal);
+    }
+
+    #[test]
+    fn a_ball_that_is_followed_stays_in_the_middle_wherever_it_goes() {
+        let around = around(1.78);
+        let mut rig = Rig::default();
+        let mut at = Vec3::new(-0.6, 0.03, 0.1);
+        for _ in 0..100 {
+            at.x += 0.01;
+            let seat = Seat::Follow(Some(at));
+            let pose = rig.advance((CameraMode::Follow, seat), &around, 0.016);
+            // It lags by no more than its way in a few frames.
+            let middle = seen(&pose, around.aspect, at);
+            assert!(middle.length() < 0.2, "{middle} at {at}");
+        }
+        // A ball that is gone is looked at where it was.
+        let seat = Seat::Follow(None);
+        let pose = rig.advance((CameraMode::Follow, seat), &around, 1.0);
+        assert!(seen(&pose, around.aspect, at).length() < 0.2);
     }
 }

@@ -5,6 +5,7 @@ use bevy::prelude::*;
 use bevy_egui::{EguiContexts, egui};
 
 use crate::game::settings::Settings;
+use crate::game::view::{Beside, FirstEye, View};
 use crate::sim::components::{BallName, MotionKind, Radius};
 
 /// What a label says and whether it is that of a stripe.
@@ -35,20 +36,28 @@ fn label(name: &str) -> Option<Label> {
 pub(super) fn show(
     mut contexts: EguiContexts,
     settings: Res<Settings>,
-    camera: Query<(&Camera, &GlobalTransform), With<Camera3d>>,
+    view: Res<View>,
+    cameras: Query<(&Camera, &GlobalTransform, Has<FirstEye>), With<Camera3d>>,
     balls: Query<(&GlobalTransform, &BallName, &Radius, &MotionKind)>,
 ) -> Result {
     if !settings.marks.labels {
         return Ok(());
     }
-    let Ok((camera, eye)) = camera.single() else {
-        return Ok(());
-    };
     let context = contexts.ctx_mut()?;
-    let painter = context.layer_painter(egui::LayerId::background());
     // The picture is measured in pixels of the window, panels in points of the player's size.
     let zoom = context.zoom_factor();
-    for (place, name, radius, motion) in &balls {
+    let point = |at: Vec2| egui::pos2(at.x / zoom, at.y / zoom);
+    let pairs = cameras
+        .iter()
+        .flat_map(|eye| balls.iter().map(move |ball| (eye, ball)));
+    for ((camera, eye, is_first), (place, name, radius, motion)) in pairs {
+        // The balls of other laws lie elsewhere.
+        if !is_first && view.beside == Beside::Laws {
+            continue;
+        }
+        let Some(half) = camera.logical_viewport_rect() else {
+            continue;
+        };
         let Some(label) = label(&name.0).filter(|_| motion.0.in_play()) else {
             continue;
         };
@@ -61,7 +70,9 @@ pub(super) fn show(
             continue;
         };
         let size = (at.distance(edge) / zoom).clamp(7.0, 26.0);
-        paint(&painter, egui::pos2(at.x / zoom, at.y / zoom), size, &label);
+        let half = egui::Rect::from_min_max(point(half.min), point(half.max));
+        let painter = context.layer_painter(egui::LayerId::background());
+        paint(&painter.with_clip_rect(half), point(at), size, &label);
     }
     Ok(())
 }

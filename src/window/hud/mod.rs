@@ -1,5 +1,6 @@
 //! What lies over the picture: a line of status, notices, the help with every key.
 
+mod halves;
 mod help;
 mod labels;
 mod notice;
@@ -42,6 +43,7 @@ pub(super) fn plugin(app: &mut App) {
             EguiPrimaryContextPass,
             (
                 labels::show,
+                halves::show.run_if(in_state(Screen::Table)),
                 (status::show.run_if(not(is_crowd)), replay::show)
                     .chain()
                     .run_if(in_state(Screen::Table)),

@@ -4,6 +4,7 @@ use bevy::prelude::*;
 use bevy_egui::{EguiContexts, egui};
 
 use crate::game::replay::{Playback, Replay, ReplayCommand};
+use crate::game::view::{Beside, CameraMode, SceneCameras, View};
 use crate::sim::clock::Clock;
 use crate::sim::recorder::Recorder;
 use crate::window::action::Action;
@@ -20,6 +21,8 @@ pub(super) fn show(
     recorder: Res<Recorder>,
     clock: Res<Clock>,
     language: Res<Language>,
+    cameras: Res<SceneCameras>,
+    mut view: ResMut<View>,
     mut commands: MessageWriter<ReplayCommand>,
 ) -> Result {
     let has_shot = !clock.moving && !recorder.events.is_empty();
@@ -35,7 +38,12 @@ pub(super) fn show(
                 .corner_radius(4.0)
                 .inner_margin(egui::Margin::symmetric(8, 4))
                 .show(ui, |ui| match &replay.0 {
-                    Some(playback) => bar(ui, &language, playback, &mut commands),
+                    Some(playback) => {
+                        bar(ui, &language, playback, &mut commands);
+                        let mut seen = *view;
+                        looks(ui, &language, &cameras, &mut seen);
+                        view.set_if_neq(seen);
+                    }
                     None => {
                         if ui.button(language.text("replay-start")).clicked() {
                             commands.write(ReplayCommand::Start);
@@ -101,6 +109,32 @@ fn bar(
         }
         if ui.button(language.text("replay-stop")).clicked() {
             send(ReplayCommand::Stop);
+        }
+    });
+}
+
+/// From where the replay is seen, and what stands beside it.
+fn looks(ui: &mut egui::Ui, language: &Language, cameras: &SceneCameras, view: &mut View) {
+    ui.horizontal(|ui| {
+        for (mode, key) in [
+            (CameraMode::Overhead, "camera-overhead"),
+            (CameraMode::Follow, "camera-follow"),
+        ] {
+            ui.selectable_value(&mut view.camera, mode, language.text(key));
+        }
+        let two = matches!(view.beside, Beside::Camera(_));
+        if ui
+            .selectable_label(two, language.text("view-second"))
+            .clicked()
+        {
+            view.toggle_second(cameras);
+        }
+        let laws = view.beside == Beside::Laws;
+        if ui
+            .selectable_label(laws, language.text("view-laws"))
+            .clicked()
+        {
+            view.toggle_laws();
         }
     });
 }

@@ -13,7 +13,7 @@ use crate::game::practice::{Practice, PracticeCommand};
 use crate::game::rules::CallNeeded;
 use crate::game::rules::call::pointed_at;
 use crate::game::turns::Turns;
-use crate::game::view::{CameraInput, CameraMode, View};
+use crate::game::view::{Beside, CameraInput, CameraMode, FirstEye, View};
 use crate::physics::cue::Shot;
 use crate::sim::clock::Clock;
 use crate::sim::components::{BallIndex, MotionKind, Position, Radius};
@@ -66,13 +66,29 @@ pub(super) struct Grip {
 #[derive(bevy::ecs::system::SystemParam)]
 pub(super) struct Pointer<'w, 's> {
     window: Query<'w, 's, &'static Window, With<PrimaryWindow>>,
-    camera: Query<'w, 's, (&'static Camera, &'static GlobalTransform), With<Camera3d>>,
+    camera: Query<'w, 's, (&'static Camera, &'static GlobalTransform, Has<FirstEye>), With<Camera3d>>,
 }
 
 impl Pointer<'_, '_> {
-    fn ray(&self) -> Option<(DVec3, DVec3)> {
+    /// Where the pointer is, and the camera under it: the picture may be shared by two.
+    fn eye(&self) -> Option<(Vec2, &Camera, &GlobalTransform, bool)> {
         let at = self.window.single().ok()?.cursor_position()?;
-        let (camera, place) = self.camera.single().ok()?;
+        self.camera.iter().find_map(|(camera, place, is_first)| {
+            let half = camera.logical_viewport_rect()?;
+            half.contains(at).then_some((at, camera, place, is_first))
+        })
+    }
+
+    /// From where the picture under the pointer is seen.
+    fn mode(&self, view: &View) -> CameraMode {
+        match (self.eye(), view.beside) {
+            (Some((.., false)), Beside::Camera(mode)) => mode,
+            _ => view.camera,
+        }
+    }
+
+    fn ray(&self) -> Option<(DVec3, DVec3)> {
+        let (at, camera, place, _) = self.eye()?;
         let ray = camera.viewport_to_world(place, at).ok()?;
         Some((ray.origin.as_dvec3(), ray.direction.as_dvec3()))
     }
@@ -194,7 +210,7 @@ pub(super) fn aim(
         return;
     }
     let fine = fineness(&actions);
-    if view.camera != CameraMode::Overhead {
+    if pointer.mode(&view) != CameraMode::Overhead {
         let moved = motion.0.x;
         if moved != 0.0 {
             aim.turn_deg(-TURN_DEG * fine * f64::from(moved));

@@ -4,7 +4,7 @@ use bevy::prelude::*;
 
 use super::Actions;
 use crate::game::settings::Settings;
-use crate::game::view::{CameraInput, CameraMode, View};
+use crate::game::view::{Beside, CameraInput, CameraMode, SceneCameras, View};
 use crate::sim::clock::Clock;
 use crate::window::action::Action;
 
@@ -22,17 +22,33 @@ const PAN_RATE: f32 = 0.6;
 pub(super) fn switch(
     actions: Actions,
     time: Res<Time<Real>>,
+    cameras: Res<SceneCameras>,
     mut view: ResMut<View>,
     mut settings: ResMut<Settings>,
     mut camera: MessageWriter<CameraInput>,
     mut before: Local<CameraMode>,
 ) {
+    // With the finer steps, the camera beside the first.
+    let is_second = actions.pressed(&Action::Fine);
     if actions.just_pressed(&Action::Camera) {
-        view.camera = match view.camera {
-            CameraMode::BehindCue => CameraMode::Overhead,
-            CameraMode::Overhead => CameraMode::Orbit,
-            CameraMode::Orbit => CameraMode::BehindCue,
-        };
+        match view.beside {
+            Beside::Camera(mode) if is_second => view.beside = Beside::Camera(mode.next()),
+            _ => view.camera = view.camera.next(),
+        }
+    }
+    if actions.just_pressed(&Action::SceneCamera) {
+        match view.beside {
+            Beside::Camera(mode) if is_second => {
+                view.beside = Beside::Camera(cameras.after(mode).unwrap_or(mode.next()));
+            }
+            _ => view.camera = cameras.after(view.camera).unwrap_or(view.camera.next()),
+        }
+    }
+    if actions.just_pressed(&Action::SecondCamera) {
+        view.toggle_second(&cameras);
+    }
+    if actions.just_pressed(&Action::OtherLaws) {
+        view.toggle_laws();
     }
     if actions.just_pressed(&Action::Overhead) {
         if view.camera == CameraMode::Overhead {

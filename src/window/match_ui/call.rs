@@ -91,7 +91,13 @@ pub(super) fn point(
         .pressed
         .take()
         .is_some_and(|pressed| pressed.distance(at) <= CLICK);
-    let Some((camera, place)) = camera.single().ok().filter(|_| clicked) else {
+    // The picture may be shared by two cameras.
+    let mut eyes = camera.iter();
+    let eye = eyes.find(|(camera, _)| {
+        let half = camera.logical_viewport_rect();
+        half.is_some_and(|half| half.contains(at))
+    });
+    let Some((camera, place)) = eye.filter(|_| clicked) else {
         return;
     };
     let (Ok(ray), Some((table, on))) = (camera.viewport_to_world(place, at), due(&turns)) else {

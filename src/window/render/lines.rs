@@ -38,8 +38,8 @@ pub(super) fn colour(motion: Motion) -> LinearRgba {
 const NEAR: f32 = 1e-3;
 
 /// Draws a line through these points, each with its colour.
-pub(super) fn strip(
-    lines: &mut Gizmos<Strokes>,
+pub(super) fn strip<Group: GizmoConfigGroup>(
+    lines: &mut Gizmos<Group>,
     points: impl IntoIterator<Item = (Vec3, LinearRgba)>,
 ) {
     let mut last: Option<Vec3> = None;

@@ -14,6 +14,7 @@ mod solid;
 mod studio;
 mod table;
 mod trails;
+mod twin;
 
 use bevy::ecs::message::MessageUpdateSystems;
 use bevy::prelude::*;
@@ -67,5 +68,6 @@ pub(super) fn plugin(app: &mut App) {
             guides::plugin,
             preview::plugin,
             trails::plugin,
+            twin::plugin,
         ));
 }

@@ -14,6 +14,7 @@ use crate::window::render::Drawing;
 use crate::window::render::quality::RenderQuality;
 use crate::window::render::studio::studio;
 use crate::window::render::table::FLOOR;
+use crate::window::render::twin;
 
 /// What surrounds the lit table.
 const DARK: Color = Color::srgb(0.018, 0.017, 0.018);
@@ -195,6 +196,7 @@ fn walls(
             Mesh3d(meshes.add(mesh)),
             MeshMaterial3d(materials.add(material)),
             NotShadowCaster,
+            twin::both(),
         ));
     }
 }

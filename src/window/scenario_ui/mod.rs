@@ -3,6 +3,7 @@
 
 mod page;
 mod panel;
+mod seats;
 mod share;
 mod stage;
 mod still;
@@ -59,7 +60,14 @@ pub(super) fn plugin(app: &mut App) {
             Update,
             (stage::obey.run_if(on_message::<Ask>), stage::judge).chain(),
         )
-        .add_systems(Last, stage::open)
+        .add_systems(
+            Last,
+            (
+                stage::open,
+                seats::follow.run_if(resource_exists_and_changed::<Stage>),
+            )
+                .chain(),
+        )
         .add_systems(
             EguiPrimaryContextPass,
             (panel::show, studio::show)

@@ -3,9 +3,11 @@
 use bevy::prelude::*;
 use bevy_egui::egui;
 
+use super::seats::seats;
 use super::stage::Ask;
 use super::still;
 use super::tricks::{Stills, tricks};
+use crate::game::view::{Beside, View};
 use crate::window::language::Language;
 use crate::window::page::Open;
 
@@ -23,6 +25,7 @@ pub(super) fn show(
     language: Res<Language>,
     mut stills: ResMut<Stills>,
     mut open: ResMut<Open>,
+    mut view: ResMut<View>,
     mut asks: MessageWriter<Ask>,
 ) {
     ui.label(language.text("tricks-about"));
@@ -44,7 +47,24 @@ pub(super) fn show(
                     &scenario.look_for
                 };
                 ui.add(egui::Label::new(about).wrap());
-                if button.clicked() || picture.clicked() {
+                let mut shared = None;
+                ui.horizontal_wrapped(|ui| {
+                    if ui.small_button(language.text("view-second")).clicked() {
+                        let cameras = seats(scenario);
+                        let first = View {
+                            camera: cameras.mode(0).unwrap_or(view.camera),
+                            ..*view
+                        };
+                        shared = Some(Beside::Camera(first.second(&cameras)));
+                    }
+                    if ui.small_button(language.text("view-laws")).clicked() {
+                        shared = Some(Beside::Laws);
+                    }
+                });
+                if let Some(shared) = shared {
+                    view.beside = shared;
+                }
+                if button.clicked() || picture.clicked() || shared.is_some() {
                     asks.write(Ask::LayOut(place));
                     open.close();
                 }

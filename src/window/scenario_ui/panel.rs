@@ -5,6 +5,7 @@ use bevy_egui::{EguiContexts, egui};
 
 use super::page::title;
 use super::stage::{Ask, OnTable, Stage, Turn};
+use crate::game::view::{Beside, SceneCameras, View};
 use crate::scenarios::expect::Standing;
 use crate::window::action::{Action, Bindings};
 use crate::window::language::Language;
@@ -22,12 +23,21 @@ pub(super) fn show(
     stage: Res<Stage>,
     language: Res<Language>,
     bindings: Res<Bindings>,
+    cameras: Res<SceneCameras>,
+    mut view: ResMut<View>,
     mut asks: MessageWriter<Ask>,
 ) -> Result {
     let Some(on) = stage.on_table().filter(|on| !on.scenario.expect.is_empty()) else {
         return Ok(());
     };
     let context = contexts.ctx_mut()?;
+    let named = |key, action| {
+        let name = language.text(key);
+        match bindings.of(action).first() {
+            Some(control) => format!("{name} ({})", control.name(&language)),
+            None => name.to_owned(),
+        }
+    };
     let mut is_open = true;
     let heading = title(&language, &on.name, &on.scenario.title);
     egui::Window::new(heading)
@@ -46,16 +56,31 @@ pub(super) fn show(
                     ("trick-previous", Action::PreviousTrick, Ask::Neighbour(-1)),
                     ("trick-next", Action::NextTrick, Ask::Neighbour(1)),
                 ] {
-                    let name = language.text(key);
-                    let text = match bindings.of(action).first() {
-                        Some(control) => format!("{name} ({})", control.name(&language)),
-                        None => name.to_owned(),
-                    };
-                    if ui.button(text).clicked() {
+                    if ui.button(named(key, action)).clicked() {
                         asks.write(ask);
                     }
                 }
             });
+            let mut seen = *view;
+            ui.horizontal_wrapped(|ui| {
+                let second = matches!(seen.beside, Beside::Camera(_));
+                let text = named("view-second", Action::SecondCamera);
+                if ui.selectable_label(second, text).clicked() {
+                    seen.toggle_second(&cameras);
+                }
+                let laws = seen.beside == Beside::Laws;
+                let text = named("view-laws", Action::OtherLaws);
+                if ui.selectable_label(laws, text).clicked() {
+                    seen.toggle_laws();
+                }
+                if let Some(next) = cameras.after(seen.camera) {
+                    let text = named("view-scene-camera", Action::SceneCamera);
+                    if ui.button(text).clicked() {
+                        seen.camera = next;
+                    }
+                }
+            });
+            view.set_if_neq(seen);
         });
     if !is_open {
         asks.write(Ask::Forget);

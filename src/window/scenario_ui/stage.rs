@@ -9,6 +9,7 @@ use crate::game::equip::OpenScene;
 use crate::game::practice::{Practice, PracticeCommand};
 use crate::game::studio::StudioCommand;
 use crate::game::target;
+use crate::game::view::View;
 use crate::physics::cue::Shot;
 use crate::physics::record::EndReason;
 use crate::physics::scene::{Rack, Scene};
@@ -21,6 +22,7 @@ use crate::sim::messages::{LoadScene, Struck};
 use crate::sim::playfield::{BallQuery, Playfield, snapshot};
 use crate::sim::recorder::Recorder;
 
+use super::seats::seats;
 use super::tricks::tricks;
 
 /// How often expectations are looked at while balls move.
@@ -151,13 +153,20 @@ pub(super) enum Ask {
 pub(in crate::window) fn begin(world: &mut World, scenario: Scenario) {
     let mut on = OnTable::new("", scenario);
     on.begin(Turn::Shown);
+    if let Some(first) = seats(&on.scenario).mode(0) {
+        world.resource_mut::<View>().camera = first;
+    }
     let mut stage = world.resource_mut::<Stage>();
     stage.on = Some(on);
     stage.is_announced = true;
 }
 
 /// Takes down which scene is opened; others lay it out, and tell if it is no good.
-pub(super) fn open(mut asked: MessageReader<OpenScene>, mut stage: ResMut<Stage>) {
+pub(super) fn open(
+    mut asked: MessageReader<OpenScene>,
+    mut stage: ResMut<Stage>,
+    mut view: ResMut<View>,
+) {
     let Some(OpenScene { name, play }) = asked.read().last() else {
         return;
     };
@@ -170,6 +179,9 @@ pub(super) fn open(mut asked: MessageReader<OpenScene>, mut stage: ResMut<Stage>
         on.begin(Turn::Shown);
     } else {
         stage.next_aim = on.aim();
+    }
+    if let Some(first) = seats(&on.scenario).mode(0) {
+        view.camera = first;
     }
     stage.is_announced = true;
     stage.on = Some(on);

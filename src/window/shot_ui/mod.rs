@@ -21,7 +21,7 @@ use crate::game::equip::{ChoosePreset, Equip, PresetInUse};
 use crate::game::lift::CueRoom;
 use crate::game::practice::{Practice, PracticeCommand};
 use crate::game::settings::Settings;
-use crate::game::view::View;
+use crate::game::view::{SceneCameras, View};
 use crate::sim::clock::Clock;
 use crate::sim::playfield::{BallQuery, Playfield};
 use crate::sim::recorder::Recorder;
@@ -70,6 +70,7 @@ struct Desk<'w, 's> {
     aim: ResMut<'w, Aim>,
     practice: ResMut<'w, Practice>,
     view: ResMut<'w, View>,
+    cameras: Res<'w, SceneCameras>,
     settings: ResMut<'w, Settings>,
     playfield: ResMut<'w, Playfield>,
     clock: Res<'w, Clock>,

@@ -6,7 +6,7 @@ use bevy_egui::egui;
 use super::Desk;
 use crate::game::practice::PracticeCommand;
 use crate::game::target;
-use crate::game::view::CameraMode;
+use crate::game::view::{Beside, CameraMode};
 use crate::physics::scene::Rack;
 use crate::physics::table::Preset;
 use crate::sim::playfield::snapshot;
@@ -59,8 +59,17 @@ pub(super) fn show(ui: &mut egui::Ui, desk: &mut Desk) {
             (CameraMode::BehindCue, "camera-behind"),
             (CameraMode::Overhead, "camera-overhead"),
             (CameraMode::Orbit, "camera-free"),
+            (CameraMode::Follow, "camera-follow"),
         ] {
             ui.selectable_value(&mut view.camera, mode, text(name));
+        }
+        let two = matches!(view.beside, Beside::Camera(_));
+        if ui.selectable_label(two, text("view-second")).clicked() {
+            view.toggle_second(&desk.cameras);
+        }
+        let laws = view.beside == Beside::Laws;
+        if ui.selectable_label(laws, text("view-laws")).clicked() {
+            view.toggle_laws();
         }
         ui.checkbox(&mut view.guides, text("view-guides"));
         ui.checkbox(&mut view.preview, text("view-preview"));

@@ -16,6 +16,7 @@ use bevy::prelude::*;
 use glam::DVec3;
 
 use crate::game::settings::Settings;
+use crate::game::view::FirstEye;
 use crate::game::volume::SoundKind;
 use crate::physics::record::{Event, EventKind};
 use crate::sim::messages::{Pocketed, Struck, Touched};
@@ -92,7 +93,7 @@ fn synthesise(mut sounds: ResMut<Sounds>, sources: Option<ResMut<Assets<AudioSou
 }
 
 /// The player hears from where the camera is.
-fn give_ears(camera: On<Add, Camera3d>, mut commands: Commands) {
+fn give_ears(camera: On<Add, FirstEye>, mut commands: Commands) {
     commands
         .entity(camera.entity)
         .insert(SpatialListener::new(EARS));

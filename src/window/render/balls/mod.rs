@@ -6,6 +6,7 @@ mod motion;
 mod numeral;
 mod palette;
 mod skin;
+mod twin;
 
 pub use motion::Turn;
 
@@ -26,7 +27,7 @@ pub(super) fn plugin(app: &mut App) {
         .add_systems(FixedPostUpdate, motion::follow)
         .add_systems(
             RunFixedMainLoop,
-            (change_clothes, motion::place)
+            (change_clothes, motion::place, twin::dress, twin::place)
                 .chain()
                 .in_set(Drawing::Balls),
         );

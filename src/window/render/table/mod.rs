@@ -19,7 +19,7 @@ use crate::physics::table::Table;
 use crate::sim::playfield::Playfield;
 use crate::window::render::plan::{area, circle};
 use crate::window::render::solid::Solid;
-use crate::window::render::{Drawing, quality::RenderQuality};
+use crate::window::render::{Drawing, quality::RenderQuality, twin};
 use measures::Measures;
 use noses::Noses;
 use surfaces::{Finish, Surfaces};
@@ -82,6 +82,7 @@ fn build(
             Furniture,
             Mesh3d(meshes.add(part.solid.mesh())),
             MeshMaterial3d(surfaces.get(part.surface)),
+            twin::both(),
         ));
         if !part.casts_shadow {
             entity.insert(NotShadowCaster);
@@ -93,6 +94,7 @@ fn build(
         MeshMaterial3d(surfaces.shade()),
         NotShadowCaster,
         NotShadowReceiver,
+        twin::both(),
     ));
     *drawn = Some((table.clone(), finish, surfaces));
 }
