@@ -1,6 +1,7 @@
 //! The command line.
 
 mod crowd;
+mod film;
 mod judge;
 mod list;
 mod picture;
@@ -31,6 +32,7 @@ use crate::report::record_file::RecordFileError;
 use crate::scenarios::file::FileError;
 use crate::scenarios::library::OpenError;
 use crate::scenarios::share::ShareError;
+use film::FilmOptions;
 use judge::JudgeOptions;
 use picture::PictureOptions;
 use report::ReportOptions;
@@ -57,6 +59,7 @@ use tournament::TournamentOptions;
         masse run break-nine --picture break.svg -q  draw the paths and write nothing else\n  \
         masse run my.ron --solver stepped --tick 0.001 --out my.jsonl\n  \
         masse picture my.jsonl my.svg                draw a run that was written, without running it again\n  \
+        masse film butterfly --out frames            numbered pictures of a shot for a video\n  \
         masse write gas gas.ron                      write a scene out in full, to change it\n  \
         masse tournament --racks 20                  computer against computer\n  \
         masse judge                                  every law beside closed forms and experiments\n  \
@@ -76,7 +79,8 @@ use tournament::TournamentOptions;
            `masse solve`: nothing that meets them was found; `masse report`: a solver converges slower than demanded\n  \
         2  bad input: the message names the file, the place in it and the value; nothing is written\n  \
         3  a file cannot be written\n  \
-        4  the solver could not finish the scene"
+        4  the solver could not finish the scene\n  \
+        5  `masse film`: there is nothing to draw with"
 )]
 struct Cli {
     #[command(subcommand)]
@@ -109,6 +113,8 @@ enum Command {
     },
     /// Draw a scene, or a run that `masse run` wrote, which is not run again
     Picture(PictureOptions),
+    /// Draw a shot frame by frame without a window, as the game does: numbered PNG files for a video
+    Film(FilmOptions),
     /// Compare every law with closed forms and with experiments: tables and pictures
     Judge(JudgeOptions),
     /// Measure speed against error of every solver: tables and pictures
@@ -155,6 +161,9 @@ enum CommandError {
     /// The solver gave up.
     #[error("{0}")]
     Unfinished(String),
+    /// There is nothing to draw with.
+    #[error("{0}")]
+    NoDisplay(String),
     /// Something cannot be written.
     #[error("{to}: cannot be written: {source}")]
     Write {
@@ -176,6 +185,7 @@ impl CommandError {
             | Self::Usage(_) => 2,
             Self::Write { .. } => 3,
             Self::Unfinished(_) => 4,
+            Self::NoDisplay(_) => 5,
         }
     }
 }
@@ -216,6 +226,7 @@ pub fn main() -> ExitCode {
         Some(Command::Sensitivity(options)) => sensitivity::run(&options),
         Some(Command::Share { scene }) => share::share(&scene).map(|()| ExitCode::SUCCESS),
         Some(Command::Picture(options)) => picture::draw(&options).map(|()| ExitCode::SUCCESS),
+        Some(Command::Film(options)) => film::run(&options),
         Some(Command::Judge(options)) => judge::run(&options),
         Some(Command::Report(options)) => report::run(&options),
         Some(Command::Tournament(options)) => tournament::run(&options).map(|()| ExitCode::SUCCESS),

@@ -126,11 +126,11 @@ pub(super) fn run(options: &RunOptions) -> Result<ExitCode, CommandError> {
 /// An outcome as a record tells it.
 fn told(outcome: &Outcome) -> Expected {
     Expected {
-        expected: outcome.wanted.clone(),
+        expected: outcome.wanted.to_string(),
         met: outcome.met,
         found: outcome.found,
         unit: outcome.unit.to_owned(),
-        seen: outcome.seen.clone(),
+        seen: outcome.seen.to_string(),
     }
 }
 

@@ -198,9 +198,21 @@ mod tests {
 
     #[test]
     fn a_second_camera_is_never_the_first_and_goes_away_when_asked_again() {
-        for cameras in [of_scene(), SceneCameras::default(), SceneCameras(vec![SceneCamera::Overhead])] {
-            let modes = [CameraMode::BehindCue, CameraMode::Overhead, CameraMode::Orbit];
-            for camera in modes.into_iter().chain([CameraMode::Follow]).chain(cameras.modes()) {
+        for cameras in [
+            of_scene(),
+            SceneCameras::default(),
+            SceneCameras(vec![SceneCamera::Overhead]),
+        ] {
+            let modes = [
+                CameraMode::BehindCue,
+                CameraMode::Overhead,
+                CameraMode::Orbit,
+            ];
+            for camera in modes
+                .into_iter()
+                .chain([CameraMode::Follow])
+                .chain(cameras.modes())
+            {
                 let mut view = View {
                     camera,
                     ..View::default()

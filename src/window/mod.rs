@@ -21,10 +21,10 @@ mod shot_ui;
 mod sound;
 mod start;
 
-pub use display::{NoDisplay, snapshot};
+pub use display::{NoDisplay, film, snapshot};
 pub use preset::Source;
 pub use render::quality::RenderQuality;
-pub use scenario_ui::{OnTable, OwnScenes, Stage, Studio, Turn};
+pub use scenario_ui::{OnTable, OwnScenes, Stage, Studio, Turn, seats};
 
 use std::time::Instant;
 

@@ -100,7 +100,7 @@ fn sources() -> Vec<(String, String)> {
         }
     }
     let mut found = Vec::new();
-    for room in ["src/window", "src/game"] {
+    for room in ["src/window", "src/game", "src/scenarios/expect"] {
         collect(
             &Path::new(env!("CARGO_MANIFEST_DIR")).join(room),
             &mut found,
@@ -149,6 +149,10 @@ fn composed() -> BTreeSet<String> {
             .iter()
             .map(|scene| format!("scene-{}", scene.name)),
     );
+    for scene in library::BUILT_IN {
+        let looked_for = scene.scenario().is_ok_and(|it| !it.look_for.is_empty());
+        keys.extend(looked_for.then(|| format!("look-{}", scene.name)));
+    }
     let named = |name: &str| format!("preset-{}", name.replace('_', "-"));
     keys.extend(preset::BUILT_IN.iter().map(|asset| named(asset.name)));
     keys.extend(
@@ -185,7 +189,8 @@ fn no_key_that_the_code_uses_is_missing_and_none_is_there_for_nothing() {
     used.extend(composed());
     for (path, code) in sources() {
         for key in literals(&code) {
-            if path.contains("window") && !NO_KEYS.contains(&key) {
+            let is_said = path.contains("window") || path.ends_with("expect/tell.rs");
+            if is_said && !NO_KEYS.contains(&key) {
                 let known = english.contains_key(key) || is_page(&code, key);
                 assert!(known, "{path}: {key} is missing");
             }
@@ -249,6 +254,77 @@ fn what_a_language_lacks_or_spoils_is_said_in_english() {
     for text in ["", "\u{0}\u{feff}", "}}}}", "= = =\n-term"] {
         assert_eq!(Language::of_texts("??", text).text("menu-quit"), "Quit");
     }
+}
+
+#[test]
+fn scenes_say_in_english_what_their_files_say_and_something_else_in_other_languages() {
+    let [english, german, french] = ["en", "de", "fr"].map(Language::of_code);
+    for scene in library::BUILT_IN {
+        let scenario = scene.scenario().expect("it is built in");
+        let key = format!("look-{}", scene.name);
+        if scenario.look_for.is_empty() {
+            continue;
+        }
+        assert_eq!(
+            english.find(&key),
+            Some(scenario.look_for.as_str()),
+            "{key}"
+        );
+        for other in [&german, &french] {
+            assert_ne!(other.find(&key), Some(scenario.look_for.as_str()), "{key}");
+        }
+    }
+}
+
+#[test]
+fn every_expectation_of_the_library_is_said_in_every_language_with_all_its_values() {
+    for scene in library::BUILT_IN {
+        let scenario = scene.scenario().expect("it is built in");
+        for expected in &scenario.expect {
+            let wanted = expected.wanted();
+            let said: Vec<String> = LANGUAGES
+                .iter()
+                .map(|language| Language::of_code(language.code).phrase(&wanted))
+                .collect();
+            assert_ne!(said[0], said[1], "{}: {wanted}", scene.name);
+            assert_ne!(said[1], said[2], "{}: {wanted}", scene.name);
+            let digits = |text: &str| text.chars().filter(char::is_ascii_digit).count();
+            for text in &said {
+                assert!(!text.contains(['{', '$', '`']), "{}: {text}", scene.name);
+                assert_eq!(
+                    digits(text),
+                    digits(&wanted.to_string()),
+                    "{wanted}: {text}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn what_became_of_an_expectation_is_said_in_german() {
+    let scene = library::open("butterfly").expect("it is built in");
+    let record = masse::physics::exact::solve(&scene.scene, Default::default());
+    let outcomes = scene.judge(&record.expect("it can be played"));
+    let german = Language::of_code("de");
+    let first = &outcomes[0];
+    assert_eq!(
+        german.phrase(&first.wanted),
+        "Kugel 1 fällt in die Tasche Fuß links"
+    );
+    let seen = german.phrase(&first.seen);
+    assert!(
+        seen.starts_with("fiel bei 1.") || seen.starts_with("fiel bei 0."),
+        "{seen}"
+    );
+    assert!(seen.ends_with(" s in die Tasche Fuß links"), "{seen}");
+    // A word that no language knows is said in English.
+    let unknown = masse::scenarios::expect::Phrase {
+        key: "no-such-phrase",
+        english: "{a} sings",
+        values: vec![("a", masse::scenarios::expect::Word::Ball("1".to_owned()))],
+    };
+    assert_eq!(german.phrase(&unknown), "`1` sings");
 }
 
 #[test]

@@ -17,6 +17,7 @@ mod check;
 mod grade;
 mod measure;
 mod moment;
+mod phrase;
 mod standing;
 mod tell;
 mod trace;
@@ -24,6 +25,7 @@ mod trace;
 pub(in crate::scenarios) use check::check;
 
 pub use moment::{Contact, Moment, Rail, Spot};
+pub use phrase::{Phrase, Word};
 pub use standing::{Standing, standings};
 
 use serde::{Deserialize, Serialize};
@@ -256,9 +258,9 @@ pub struct Outcome {
     /// The unit of the value.
     pub unit: &'static str,
     /// What was expected, in words.
-    pub wanted: String,
+    pub wanted: Phrase,
     /// What happened, in words.
-    pub seen: String,
+    pub seen: Phrase,
 }
 
 impl Outcome {
@@ -271,6 +273,12 @@ impl Outcome {
 }
 
 impl Expectation {
+    /// What is expected, in words.
+    #[must_use]
+    pub fn wanted(&self) -> Phrase {
+        tell::wanted(self)
+    }
+
     /// Whether this came true in a record of the scene, and the value found.
     #[must_use]
     pub fn outcome(&self, scene: &Scene, record: &Record) -> Outcome {

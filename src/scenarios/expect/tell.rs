@@ -2,242 +2,341 @@
 
 use std::fmt::{self, Display, Formatter};
 
+use super::phrase::Word::{Apart, Ball, Count, Digits, Number, Pocket, Then, Unit};
+use super::phrase::{Phrase, Word};
 use crate::physics::scene::Scene;
 use crate::scenarios::expect::measure::Shown;
 use crate::scenarios::expect::{Contact, Expectation, Moment, Rail, Spot};
 
-impl Display for Contact {
-    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
-        match self {
-            Self::Hit(a, b) => write!(f, "`{a}` meets `{b}`"),
-            Self::Rail(ball) => write!(f, "`{ball}` meets a cushion"),
-            Self::RailAt(ball, rail) => {
-                let side = match rail {
-                    Rail::Head => "head",
-                    Rail::Foot => "foot",
-                    Rail::Left => "left",
-                    Rail::Right => "right",
-                };
-                write!(f, "`{ball}` meets the {side} rail")
-            }
-            Self::Falls(ball) => write!(f, "`{ball}` falls"),
-            Self::FallsInto(ball, pocket) => write!(f, "`{ball}` falls into {pocket}"),
-            Self::Lands(ball) => write!(f, "`{ball}` lands"),
-            Self::Leaves(ball) => write!(f, "`{ball}` leaves the table"),
+/// A phrase: its key, its English, and the values in it.
+macro_rules! say {
+    ($key:literal, $english:literal $(, $name:ident: $value:expr)* $(,)?) => {
+        Phrase {
+            key: $key,
+            english: $english,
+            values: vec![$((stringify!($name), Word::from($value))),*],
         }
+    };
+}
+
+fn ball(name: &str) -> Word {
+    Ball(name.to_owned())
+}
+
+fn pocket(name: &str) -> Word {
+    Pocket(name.to_owned())
+}
+
+fn contact(of: &Contact) -> Phrase {
+    match of {
+        Contact::Hit(a, b) => say!("contact-hit", "{a} meets {b}", a: ball(a), b: ball(b)),
+        Contact::Rail(a) => say!("contact-rail", "{a} meets a cushion", a: ball(a)),
+        Contact::RailAt(a, Rail::Head) => {
+            say!("contact-rail-head", "{a} meets the head rail", a: ball(a))
+        }
+        Contact::RailAt(a, Rail::Foot) => {
+            say!("contact-rail-foot", "{a} meets the foot rail", a: ball(a))
+        }
+        Contact::RailAt(a, Rail::Left) => {
+            say!("contact-rail-left", "{a} meets the left rail", a: ball(a))
+        }
+        Contact::RailAt(a, Rail::Right) => {
+            say!("contact-rail-right", "{a} meets the right rail", a: ball(a))
+        }
+        Contact::Falls(a) => say!("contact-falls", "{a} falls", a: ball(a)),
+        Contact::FallsInto(a, into) => {
+            say!("contact-falls-into", "{a} falls into {pocket}", a: ball(a), pocket: pocket(into))
+        }
+        Contact::Lands(a) => say!("contact-lands", "{a} lands", a: ball(a)),
+        Contact::Leaves(a) => say!("contact-leaves", "{a} leaves the table", a: ball(a)),
     }
 }
 
-impl Display for Moment {
-    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
-        match self {
-            Self::Start => write!(f, "the start"),
-            Self::End => write!(f, "the end"),
-            Self::At(time) => write!(f, "{time} s"),
-            Self::Hit(a, b) => write!(f, "the hit of `{a}` and `{b}`"),
-            Self::After(a, b) => write!(f, "the moment after the hit of `{a}` and `{b}`"),
-            Self::Rail(ball, number) => write!(f, "cushion {number} of `{ball}`"),
-            Self::AfterRail(ball, number) => {
-                write!(f, "the moment after cushion {number} of `{ball}`")
-            }
-            Self::Rolls(ball) => write!(f, "the moment when `{ball}` begins to roll"),
-            Self::Rests(ball) => write!(f, "the rest of `{ball}`"),
-            Self::Falls(ball) => write!(f, "the fall of `{ball}`"),
-            Self::Lands(ball) => write!(f, "the landing of `{ball}`"),
+fn moment(of: &Moment) -> Phrase {
+    match of {
+        Moment::Start => say!("moment-start", "the start"),
+        Moment::End => say!("moment-end", "the end"),
+        Moment::At(time) => say!("moment-at", "{time} s", time: Number(*time)),
+        Moment::Hit(a, b) => {
+            say!("moment-hit", "the hit of {a} and {b}", a: ball(a), b: ball(b))
         }
+        Moment::After(a, b) => say!(
+            "moment-after", "the moment after the hit of {a} and {b}", a: ball(a), b: ball(b)
+        ),
+        Moment::Rail(a, number) => say!(
+            "moment-rail", "cushion {number} of {a}", a: ball(a), number: Count(*number as usize)
+        ),
+        Moment::AfterRail(a, number) => say!(
+            "moment-after-rail", "the moment after cushion {number} of {a}",
+            a: ball(a), number: Count(*number as usize),
+        ),
+        Moment::Rolls(a) => {
+            say!("moment-rolls", "the moment when {a} begins to roll", a: ball(a))
+        }
+        Moment::Rests(a) => say!("moment-rests", "the rest of {a}", a: ball(a)),
+        Moment::Falls(a) => say!("moment-falls", "the fall of {a}", a: ball(a)),
+        Moment::Lands(a) => say!("moment-lands", "the landing of {a}", a: ball(a)),
     }
 }
 
-impl Display for Spot {
-    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
-        match self {
-            Self::Position(x, z) => write!(f, "x = {x} m, z = {z} m"),
-            Self::Diamonds(across, along) => write!(f, "diamonds {across}, {along}"),
-            Self::Start(ball) => write!(f, "the place where `{ball}` began"),
+fn spot(of: &Spot) -> Phrase {
+    match of {
+        Spot::Position(x, z) => {
+            say!("spot-position", "x = {x} m, z = {z} m", x: Number(*x), z: Number(*z))
         }
+        Spot::Diamonds(across, along) => say!(
+            "spot-diamonds", "diamonds {across}, {along}",
+            across: Number(*across), along: Number(*along),
+        ),
+        Spot::Start(a) => say!("spot-start", "the place where {a} began", a: ball(a)),
     }
 }
 
-/// A range in words.
-fn range(least: Option<f64>, most: Option<f64>, unit: &str) -> String {
+/// A unit in words where it has any.
+fn unit(name: &'static str) -> Word {
+    match name {
+        "times" => say!("unit-times", "times").into(),
+        "degrees" => say!("unit-degrees", "degrees").into(),
+        "m away" => say!("unit-away", "m away").into(),
+        "m outside" => say!("unit-outside", "m outside").into(),
+        name => Unit(name),
+    }
+}
+
+fn range(least: Option<f64>, most: Option<f64>, name: &'static str) -> Phrase {
+    let (unit, number) = (unit(name), Number);
     match (least, most) {
-        (Some(least), Some(most)) => format!("{least} to {most} {unit}"),
-        (Some(least), None) => format!("at least {least} {unit}"),
-        (None, Some(most)) => format!("at most {most} {unit}"),
-        (None, None) => "anything".to_owned(),
+        (Some(least), Some(most)) => say!(
+            "range-both", "{least} to {most} {unit}",
+            least: number(least), most: number(most), unit: unit,
+        ),
+        (Some(least), None) => {
+            say!("range-least", "at least {least} {unit}", least: number(least), unit: unit)
+        }
+        (None, Some(most)) => {
+            say!("range-most", "at most {most} {unit}", most: number(most), unit: unit)
+        }
+        (None, None) => say!("range-any", "anything"),
     }
 }
 
 /// What is said about a time only if it is not the whole run.
-fn between(from: &Moment, until: &Moment) -> String {
-    match (from.is_start(), until.is_end()) {
-        (true, true) => String::new(),
-        (false, true) => format!(" after {from}"),
-        (true, false) => format!(" before {until}"),
-        (false, false) => format!(" between {from} and {until}"),
-    }
-}
-
-impl Display for Expectation {
-    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
-        f.write_str(&wanted(self))
-    }
+fn between(from: &Moment, until: &Moment) -> Word {
+    Apart(
+        match (from.is_start(), until.is_end()) {
+            (true, true) => None,
+            (false, true) => Some(say!("span-after", "after {from}", from: moment(from))),
+            (true, false) => Some(say!("span-before", "before {until}", until: moment(until))),
+            (false, false) => Some(say!(
+                "span-between", "between {from} and {until}",
+                from: moment(from), until: moment(until),
+            )),
+        }
+        .map(Box::new),
+    )
 }
 
 /// What is expected.
 #[expect(clippy::too_many_lines, reason = "one arm for each kind")]
-pub(super) fn wanted(expected: &Expectation) -> String {
+pub(super) fn wanted(expected: &Expectation) -> Phrase {
     match expected {
-        Expectation::Potted { ball, pocket } => match pocket {
-            Some(pocket) => format!("`{ball}` falls into {pocket}"),
-            None => format!("`{ball}` is potted"),
-        },
-        Expectation::Stays { ball } => format!("`{ball}` stays on the table"),
-        Expectation::Order(contacts) => {
-            let told: Vec<String> = contacts.iter().map(Contact::to_string).collect();
-            told.join(", then ")
+        Expectation::Potted {
+            ball: a,
+            pocket: Some(into),
+        } => say!(
+            "expect-potted-into", "{a} falls into {pocket}", a: ball(a), pocket: pocket(into)
+        ),
+        Expectation::Potted {
+            ball: a,
+            pocket: None,
+        } => {
+            say!("expect-potted", "{a} is potted", a: ball(a))
         }
-        Expectation::Never(contact) => format!("never: {contact}"),
+        Expectation::Stays { ball: a } => {
+            say!("expect-stays", "{a} stays on the table", a: ball(a))
+        }
+        Expectation::Order(contacts) => say!(
+            "expect-order", "{contacts}", contacts: Then(contacts.iter().map(contact).collect())
+        ),
+        Expectation::Never(one) => {
+            say!("expect-never", "never: {contact}", contact: contact(one))
+        }
         Expectation::Count {
             of,
             least,
             most,
             until,
-        } => {
-            let ends = range(least.map(f64::from), most.map(f64::from), "times");
-            format!("{of} {ends}{}", between(&Moment::Start, until))
-        }
+        } => say!(
+            "expect-count", "{contact} {range}{span}",
+            contact: contact(of),
+            range: range(least.map(f64::from), most.map(f64::from), "times"),
+            span: between(&Moment::Start, until),
+        ),
         Expectation::Near {
-            ball,
+            ball: a,
             at,
             within,
             when,
-        } => format!("`{ball}` is within {within} m of {at} at {when}"),
+        } => say!(
+            "expect-near", "{a} is within {within} m of {spot} at {when}",
+            a: ball(a), within: Number(*within), spot: spot(at), when: moment(when),
+        ),
         Expectation::Inside {
-            ball,
+            ball: a,
             least,
             most,
             when,
-        } => format!(
-            "`{ball}` is between x = {} m, z = {} m and x = {} m, z = {} m at {when}",
-            least.0, least.1, most.0, most.1
+        } => say!(
+            "expect-inside",
+            "{a} is between x = {x} m, z = {z} m and x = {xx} m, z = {zz} m at {when}",
+            a: ball(a), x: Number(least.0), z: Number(least.1), xx: Number(most.0),
+            zz: Number(most.1), when: moment(when),
         ),
         Expectation::Passes {
-            ball,
+            ball: a,
             at,
             within,
             from,
             until,
-        } => format!(
-            "`{ball}` passes within {within} m of {at}{}",
-            between(from, until)
+        } => say!(
+            "expect-passes", "{a} passes within {within} m of {spot}{span}",
+            a: ball(a), within: Number(*within), spot: spot(at), span: between(from, until),
         ),
         Expectation::Gap {
-            ball,
+            ball: a,
             of,
             least,
             most,
             from,
             until,
-        } => format!(
-            "the smallest gap between `{ball}` and `{of}`{} is {}",
-            between(from, until),
-            range(*least, *most, "m")
+        } => say!(
+            "expect-gap", "the smallest gap between {a} and {b}{span} is {range}",
+            a: ball(a), b: ball(of), span: between(from, until), range: range(*least, *most, "m"),
         ),
         Expectation::Height {
-            ball,
+            ball: a,
             least,
             most,
             from,
             until,
-        } => format!(
-            "`{ball}` rises{} {} over the slate",
-            between(from, until),
-            range(*least, *most, "m")
+        } => say!(
+            "expect-height", "{a} rises{span} {range} over the slate",
+            a: ball(a), span: between(from, until), range: range(*least, *most, "m"),
         ),
         Expectation::Over {
-            ball,
+            ball: a,
             of,
             least,
             most,
-        } => format!(
-            "`{ball}` flies {} over the top of `{of}`",
-            range(*least, *most, "m")
+        } => say!(
+            "expect-over", "{a} flies {range} over the top of {b}",
+            a: ball(a), b: ball(of), range: range(*least, *most, "m"),
         ),
         Expectation::Speed {
-            ball,
+            ball: a,
             least,
             most,
             when,
-        } => format!(
-            "the speed of `{ball}` at {when} is {}",
-            range(*least, *most, "m/s")
+        } => say!(
+            "expect-speed", "the speed of {a} at {when} is {range}",
+            a: ball(a), when: moment(when), range: range(*least, *most, "m/s"),
         ),
         Expectation::Heading {
-            ball,
+            ball: a,
             deg,
             within_deg,
             when,
-        } => format!("`{ball}` moves along {deg} degrees, within {within_deg}, at {when}"),
+        } => say!(
+            "expect-heading", "{a} moves along {deg} degrees, within {within}, at {when}",
+            a: ball(a), deg: Number(*deg), within: Number(*within_deg), when: moment(when),
+        ),
         Expectation::Turns {
-            ball,
+            ball: a,
             least,
             most,
             from,
             to,
-        } => format!(
-            "`{ball}` turns by {} between {from} and {to}",
-            range(*least, *most, "degrees")
+        } => say!(
+            "expect-turns", "{a} turns by {range} between {from} and {to}",
+            a: ball(a), range: range(*least, *most, "degrees"), from: moment(from), to: moment(to),
         ),
         Expectation::Travels {
-            ball,
+            ball: a,
             least,
             most,
             from,
             to,
-        } => format!(
-            "`{ball}` travels {}{}",
-            range(*least, *most, "m"),
-            between(from, to)
+        } => say!(
+            "expect-travels", "{a} travels {range}{span}",
+            a: ball(a), range: range(*least, *most, "m"), span: between(from, to),
         ),
         Expectation::Advances {
-            ball,
+            ball: a,
             least,
             most,
             from,
             to,
-        } => format!(
-            "`{ball}` gets {} ahead{}",
-            range(*least, *most, "m"),
-            between(from, to)
+        } => say!(
+            "expect-advances", "{a} gets {range} ahead{span}",
+            a: ball(a), range: range(*least, *most, "m"), span: between(from, to),
         ),
-        Expectation::Time { of, least, most } => {
-            format!("{of} comes at {}", range(*least, *most, "s"))
-        }
+        Expectation::Time { of, least, most } => say!(
+            "expect-time", "{moment} comes at {range}",
+            moment: moment(of), range: range(*least, *most, "s"),
+        ),
     }
 }
 
 /// What happened.
-pub(super) fn seen(shown: &Shown, scene: &Scene) -> String {
+pub(super) fn seen(shown: &Shown, scene: &Scene) -> Phrase {
     match shown {
-        Shown::Value(value, "times") => format!("{value} times"),
-        Shown::Value(value, unit) => format!("{value:.4} {unit}"),
-        Shown::Fell { pocket, time } => {
-            let name = scene
-                .table
-                .pockets
-                .get(*pocket)
-                .map_or("a pocket", |p| p.name.as_str());
-            format!("it fell into {name} at {time:.3} s")
+        Shown::Value(value, "times") => {
+            say!("seen-value", "{value} {unit}", value: Number(*value), unit: unit("times"))
         }
-        Shown::Left { time } => format!("it left the table at {time:.3} s"),
-        Shown::Stayed => "it stayed on the table".to_owned(),
-        Shown::Steps { done, of } if done == of => "so it was".to_owned(),
-        Shown::Steps { done, of } => format!("{done} of {of} came"),
-        Shown::Happened(Some(time)) => format!("it happened at {time:.3} s"),
-        Shown::Happened(None) => "it did not happen".to_owned(),
-        Shown::NoMoment => "this moment never came".to_owned(),
-        Shown::NoDirection => "it did not move then".to_owned(),
-        Shown::Beside(distance) => format!("it passed {distance:.4} m beside"),
+        Shown::Value(value, name) => {
+            say!("seen-value", "{value} {unit}", value: Digits(*value, 4), unit: unit(name))
+        }
+        Shown::Fell { pocket: at, time } => match scene.table.pockets.get(*at) {
+            Some(found) => say!(
+                "seen-fell", "it fell into {pocket} at {time} s",
+                pocket: pocket(&found.name), time: Digits(*time, 3),
+            ),
+            None => say!("seen-happened", "it happened at {time} s", time: Digits(*time, 3)),
+        },
+        Shown::Left { time } => {
+            say!("seen-left", "it left the table at {time} s", time: Digits(*time, 3))
+        }
+        Shown::Stayed => say!("seen-stayed", "it stayed on the table"),
+        Shown::Steps { done, of } if done == of => say!("seen-so", "so it was"),
+        Shown::Steps { done, of } => {
+            say!("seen-steps", "{done} of {of} came", done: Count(*done), of: Count(*of))
+        }
+        Shown::Happened(Some(time)) => {
+            say!("seen-happened", "it happened at {time} s", time: Digits(*time, 3))
+        }
+        Shown::Happened(None) => say!("seen-not", "it did not happen"),
+        Shown::NoMoment => say!("seen-no-moment", "this moment never came"),
+        Shown::NoDirection => say!("seen-no-direction", "it did not move then"),
+        Shown::Beside(distance) => {
+            say!("seen-beside", "it passed {distance} m beside", distance: Digits(*distance, 4))
+        }
+    }
+}
+
+impl Display for Contact {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        contact(self).fmt(f)
+    }
+}
+
+impl Display for Moment {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        moment(self).fmt(f)
+    }
+}
+
+impl Display for Expectation {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        wanted(self).fmt(f)
     }
 }

@@ -63,9 +63,8 @@ pub(super) fn share(
     let [left, right] = halves(size);
     for (camera, (position, size)) in [(&mut **first, left), (&mut *other, right)] {
         let now = camera.viewport.as_ref();
-        let same = now.is_some_and(|now| {
-            (now.physical_position, now.physical_size) == (position, size)
-        });
+        let same =
+            now.is_some_and(|now| (now.physical_position, now.physical_size) == (position, size));
         if !same {
             camera.viewport = Some(Viewport {
                 physical_position: position,
@@ -114,12 +113,22 @@ mod tests {
 
     #[test]
     fn two_halves_are_alike_lie_within_the_picture_and_do_not_meet() {
-        for (x, y) in [(1280, 720), (1281, 720), (400, 900), (401, 901), (2, 2), (1, 1)] {
+        for (x, y) in [
+            (1280, 720),
+            (1281, 720),
+            (400, 900),
+            (401, 901),
+            (2, 2),
+            (1, 1),
+        ] {
             let size = UVec2::new(x, y);
             let [(a, shape), (b, other)] = halves(size);
             assert_eq!(shape, other);
             assert_eq!(a, UVec2::ZERO);
-            assert!((b + other).cmple(size).all() || size.max_element() < 6, "{size}");
+            assert!(
+                (b + other).cmple(size).all() || size.max_element() < 6,
+                "{size}"
+            );
             if size.min_element() > 100 {
                 let apart = b.max_element() - shape[usize::from(x < y)];
                 assert!((GAP..=GAP + 1).contains(&apart), "{size}: {apart}");

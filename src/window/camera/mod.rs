@@ -14,7 +14,9 @@ use crate::game::aim::Aim;
 use crate::game::replay::Replay;
 use crate::game::settings::Settings;
 use crate::game::twin::Twin;
-use crate::game::view::{Beside, CameraInput, CameraMode, FirstEye, SceneCamera, SceneCameras, View};
+use crate::game::view::{
+    Beside, CameraInput, CameraMode, FirstEye, SceneCamera, SceneCameras, View,
+};
 use crate::game::watch::Watch;
 use crate::sim::clock::Clock;
 use crate::sim::components::{BallIndex, BallName, MotionKind, Position};

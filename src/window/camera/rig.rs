@@ -331,20 +331,14 @@ mod tests {
         let mut rig = Rig::default();
         rig.advance(BEHIND, &around, f32::INFINITY);
         let goal = Rig::default().advance(OVERHEAD, &around, 0.0);
-        assert_eq!(
-            rig.advance(OVERHEAD, &around, f32::INFINITY),
-            goal
-        );
+        assert_eq!(rig.advance(OVERHEAD, &around, f32::INFINITY), goal);
         let elsewhere = Surroundings {
             ball: Some(Vec3::new(0.8, 0.03, -0.4)),
             ..around
         };
         let mut fresh = Rig::default();
         let goal = fresh.advance(BEHIND, &elsewhere, 0.0);
-        assert_eq!(
-            rig.advance(BEHIND, &elsewhere, f32::INFINITY),
-            goal
-        );
+        assert_eq!(rig.advance(BEHIND, &elsewhere, f32::INFINITY), goal);
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! Whether there is anything to draw on and to draw with, and apps for either case.
 
+pub mod film;
 pub mod snapshot;
 
 use std::panic::{self, AssertUnwindSafe};

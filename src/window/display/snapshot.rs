@@ -48,7 +48,33 @@ impl Picture {
 }
 
 /// Frames after which every pipeline is there and a picture has come back from the graphics card.
-const PATIENCE: u32 = 60;
+pub(super) const PATIENCE: u32 = 60;
+
+/// Frames after which there is something to see.
+pub(super) const WARM: u32 = 3;
+
+/// An app with this scene on its table, whose cameras draw into an image of this size. It has not drawn yet.
+pub(super) fn set_up(
+    scene: &Scene,
+    (width, height): (u32, u32),
+) -> Result<(App, Handle<Image>), NoDisplay> {
+    let mut app = off_screen()?;
+    let image = Image::new_target_texture(width, height, TextureFormat::Rgba8UnormSrgb, None);
+    let target = app.world_mut().resource_mut::<Assets<Image>>().add(image);
+    let to_target = target.clone();
+    app.add_observer(move |added: On<Add, Camera3d>, mut commands: Commands| {
+        commands
+            .entity(added.entity)
+            .insert(RenderTarget::Image(to_target.clone().into()));
+    });
+    lay_out(app.world_mut(), scene);
+    while app.plugins_state() == PluginsState::Adding {
+        bevy::tasks::tick_global_task_pools_on_main_thread();
+    }
+    app.finish();
+    app.cleanup();
+    Ok((app, target))
+}
 
 /// Draws a scene once, with nothing moving, from one of the views after this input.
 ///
@@ -60,26 +86,12 @@ pub fn picture(
     camera: CameraMode,
     input: &[CameraInput],
 ) -> Result<Picture, NoDisplay> {
-    let mut app = off_screen()?;
-    let image = Image::new_target_texture(width, height, TextureFormat::Rgba8UnormSrgb, None);
-    let target = app.world_mut().resource_mut::<Assets<Image>>().add(image);
-    let to_target = target.clone();
-    app.add_observer(move |added: On<Add, Camera3d>, mut commands: Commands| {
-        commands
-            .entity(added.entity)
-            .insert(RenderTarget::Image(to_target.clone().into()));
-    });
-    lay_out(app.world_mut(), scene);
+    let (mut app, target) = set_up(scene, (width, height))?;
     // However long drawing takes, no time goes by on the table.
     app.world_mut().resource_mut::<Time<Virtual>>().pause();
     app.world_mut().resource_mut::<View>().camera = camera;
     app.world_mut().write_message_batch(input.iter().copied());
-    while app.plugins_state() == PluginsState::Adding {
-        bevy::tasks::tick_global_task_pools_on_main_thread();
-    }
-    app.finish();
-    app.cleanup();
-    for _ in 0..3 {
+    for _ in 0..WARM {
         app.update();
     }
 

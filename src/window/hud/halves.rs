@@ -1,4 +1,4 @@
-//! What each half of a shared picture shows, in words above it.
+//! What each half of a shared picture shows, in words below it.
 
 use bevy::prelude::*;
 use bevy_egui::{EguiContexts, egui};
@@ -6,6 +6,9 @@ use bevy_egui::{EguiContexts, egui};
 use crate::game::twin::{Twin, TwinLaws};
 use crate::game::view::{Beside, CameraMode, FirstEye, SceneCamera, SceneCameras, View};
 use crate::window::language::Language;
+
+/// Points between the words and the lower edge.
+const ABOVE: f32 = 104.0;
 
 /// Paints the words below the panels.
 pub(super) fn show(
@@ -31,11 +34,12 @@ pub(super) fn show(
             Beside::Laws => by_laws(&twin, is_first, &language),
             _ => seen_from(view.camera, &cameras, &language),
         };
-        let middle = egui::pos2(half.center().x / zoom, half.min.y / zoom + 8.0);
+        // Above the line of status and the bar of the replay.
+        let middle = egui::pos2(half.center().x / zoom, half.max.y / zoom - ABOVE);
         let font = egui::FontId::proportional(15.0);
         let text = painter.layout_no_wrap(words, font, egui::Color32::WHITE);
-        let frame = egui::Align2::CENTER_TOP
-            .anchor_size(middle, text.size() + egui::vec2(16.0, 8.0));
+        let frame =
+            egui::Align2::CENTER_BOTTOM.anchor_size(middle, text.size() + egui::vec2(16.0, 8.0));
         painter.rect_filled(frame, 4.0, egui::Color32::from_black_alpha(170));
         painter.galley(frame.min + egui::vec2(8.0, 4.0), text, egui::Color32::WHITE);
     }

@@ -66,7 +66,8 @@ pub(super) struct Grip {
 #[derive(bevy::ecs::system::SystemParam)]
 pub(super) struct Pointer<'w, 's> {
     window: Query<'w, 's, &'static Window, With<PrimaryWindow>>,
-    camera: Query<'w, 's, (&'static Camera, &'static GlobalTransform, Has<FirstEye>), With<Camera3d>>,
+    camera:
+        Query<'w, 's, (&'static Camera, &'static GlobalTransform, Has<FirstEye>), With<Camera3d>>,
 }
 
 impl Pointer<'_, '_> {

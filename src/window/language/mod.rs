@@ -3,6 +3,7 @@
 //! A language is a file there and a line in [`LANGUAGES`]. What a file lacks is said in English.
 
 pub mod letters;
+mod phrases;
 mod texts;
 
 use std::sync::Arc;

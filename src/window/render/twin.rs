@@ -76,7 +76,8 @@ fn show(
 #[derive(Component)]
 struct TwinLamp;
 
-type Lamps<'w, 's> = Query<'w, 's, (Ref<'static, SpotLight>, &'static Transform), Without<TwinLamp>>;
+type Lamps<'w, 's> =
+    Query<'w, 's, (Ref<'static, SpotLight>, &'static Transform), Without<TwinLamp>>;
 
 fn hang_lamps(
     mut commands: Commands,
@@ -87,7 +88,11 @@ fn hang_lamps(
     let wanted = view.beside == Beside::Laws;
     let changed = lamps.iter().any(|(lamp, _)| lamp.is_changed());
     let as_many = twins.iter().len() == lamps.iter().len();
-    if if wanted { as_many && !changed } else { twins.is_empty() } {
+    if if wanted {
+        as_many && !changed
+    } else {
+        twins.is_empty()
+    } {
         return;
     }
     for lamp in &twins {

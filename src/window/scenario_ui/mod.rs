@@ -23,6 +23,7 @@ use crate::window::action::Action;
 use crate::window::page::{AddPages, Page, PageId};
 use stage::Ask;
 
+pub use seats::seats;
 pub use share::OwnScenes;
 pub(super) use stage::begin;
 pub use stage::{OnTable, Stage, Turn};

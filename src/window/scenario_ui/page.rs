@@ -19,6 +19,11 @@ pub(super) fn title<'a>(language: &'a Language, name: &str, own: &'a str) -> &'a
     language.find(&format!("scene-{name}")).unwrap_or(own)
 }
 
+/// What to look for in a scene in the language that is spoken, else in its own.
+pub(super) fn look_for<'a>(language: &'a Language, name: &str, own: &'a str) -> &'a str {
+    language.find(&format!("look-{name}")).unwrap_or(own)
+}
+
 /// Lays out the list: a picture, a title, what to look for. A choice lays the scene out.
 pub(super) fn show(
     InMut(ui): InMut<egui::Ui>,
@@ -44,7 +49,7 @@ pub(super) fn show(
                 let about = if scenario.look_for.is_empty() {
                     &scenario.description
                 } else {
-                    &scenario.look_for
+                    look_for(&language, trick.name, &scenario.look_for)
                 };
                 ui.add(egui::Label::new(about).wrap());
                 let mut shared = None;

@@ -3,7 +3,7 @@
 use bevy::prelude::*;
 use bevy_egui::{EguiContexts, egui};
 
-use super::page::title;
+use super::page::{look_for, title};
 use super::stage::{Ask, OnTable, Stage, Turn};
 use crate::game::view::{Beside, SceneCameras, View};
 use crate::scenarios::expect::Standing;
@@ -91,7 +91,8 @@ pub(super) fn show(
 fn contents(ui: &mut egui::Ui, language: &Language, on: &OnTable) {
     let scenario = &on.scenario;
     if !scenario.look_for.is_empty() {
-        ui.add(egui::Label::new(&scenario.look_for).wrap());
+        let look_for = look_for(language, &on.name, &scenario.look_for);
+        ui.add(egui::Label::new(look_for).wrap());
     }
     if !scenario.description.is_empty() {
         egui::CollapsingHeader::new(language.text("trick-more"))
@@ -112,13 +113,9 @@ fn contents(ui: &mut egui::Ui, language: &Language, on: &OnTable) {
         ui.horizontal_wrapped(|ui| {
             // A word beside the colour, for whoever cannot tell colours.
             ui.colored_label(tint, egui::RichText::new(language.text(word)).strong());
-            let wanted = mark.map_or_else(
-                || expected.to_string(),
-                |(outcome, _)| outcome.wanted.clone(),
-            );
-            ui.label(wanted);
+            ui.label(language.phrase(&expected.wanted()));
             if let Some((outcome, _)) = mark.filter(|_| standing != Standing::Open) {
-                ui.weak(format!("({})", outcome.seen));
+                ui.weak(format!("({})", language.phrase(&outcome.seen)));
             }
         });
     }

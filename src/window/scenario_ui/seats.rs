@@ -9,7 +9,8 @@ use crate::scenarios::camera::Camera;
 use crate::scenarios::file::Scenario;
 
 /// The cameras of a scenario for the view.
-pub(super) fn seats(scenario: &Scenario) -> SceneCameras {
+#[must_use]
+pub fn seats(scenario: &Scenario) -> SceneCameras {
     let at = |(x, y, z): (f64, f64, f64)| DVec3::new(x, y, z);
     let seat = |camera: &Camera| match camera {
         Camera::Overhead => SceneCamera::Overhead,
@@ -29,11 +30,7 @@ pub(super) fn seats(scenario: &Scenario) -> SceneCameras {
 }
 
 /// The cameras come and go with the scenario on the table.
-pub(super) fn follow(
-    stage: Res<Stage>,
-    mut cameras: ResMut<SceneCameras>,
-    mut view: ResMut<View>,
-) {
+pub(super) fn follow(stage: Res<Stage>, mut cameras: ResMut<SceneCameras>, mut view: ResMut<View>) {
     let on = stage.on_table();
     let now = on.map_or_else(SceneCameras::default, |on| seats(&on.scenario));
     if *cameras == now {

@@ -2,7 +2,7 @@
 
 use masse::physics::exact::{self, Limits};
 use masse::physics::record::Record;
-use masse::scenarios::expect::{Outcome, Standing, score, standings};
+use masse::scenarios::expect::{Outcome, Phrase, Standing, score, standings};
 use masse::scenarios::library;
 
 use super::{played, scenario};
@@ -91,14 +91,22 @@ fn misses_are_settled_as_soon_as_nothing_can_mend_them() {
     assert_eq!(at(hit + 1e-6), [missed, open, open, missed, missed]);
 }
 
+fn phrase() -> Phrase {
+    Phrase {
+        key: "seen-so",
+        english: "so it was",
+        values: Vec::new(),
+    }
+}
+
 fn outcome(miss: f64) -> Outcome {
     Outcome {
         met: miss == 0.0,
         miss,
         found: None,
         unit: "",
-        wanted: String::new(),
-        seen: String::new(),
+        wanted: phrase(),
+        seen: phrase(),
     }
 }
 

@@ -94,8 +94,9 @@ pub(super) fn place(
             continue;
         };
         let state = twin.state(one.index);
-        let (at, motion) =
-            state.map_or((position.0, motion.0), |state| (state.position, state.motion));
+        let (at, motion) = state.map_or((position.0, motion.0), |state| {
+            (state.position, state.motion)
+        });
         // By its spin, forwards and backwards.
         let spin = state.map_or_else(Default::default, |state| state.angular_velocity);
         let step = twin.time - one.time;
