@@ -8,6 +8,7 @@ use clap::{Args, ValueEnum};
 
 use crate::cli::simulate::simulate;
 use crate::cli::{CommandError, say};
+use crate::game::view::CameraMode;
 use crate::scenarios::library;
 
 /// Frames that the numbers in the names of files have room for.
@@ -84,6 +85,26 @@ fn within(least: f64, most: f64) -> impl Fn(&str) -> Result<f64, String> + Clone
     }
 }
 
+/// The camera that a person calls by this name.
+fn camera(option: &str, name: &str, of_scene: usize) -> Result<CameraMode, CommandError> {
+    let numbered = || {
+        let place = name.parse::<usize>().ok()?.checked_sub(1)?;
+        (place < of_scene).then_some(CameraMode::Scene(place))
+    };
+    let mode = match name {
+        "overhead" => Some(CameraMode::Overhead),
+        "behind" => Some(CameraMode::BehindCue),
+        "free" => Some(CameraMode::Orbit),
+        "follow" => Some(CameraMode::Follow),
+        _ => numbered(),
+    };
+    mode.ok_or_else(|| {
+        CommandError::Usage(format!(
+            "{option} {name}: cameras are overhead, behind, free, follow, and 1 to {of_scene} of this scene"
+        ))
+    })
+}
+
 /// An empty folder for the frames.
 fn folder(path: &Path) -> Result<(), CommandError> {
     let write = |source| CommandError::Write {
@@ -121,7 +142,15 @@ pub(super) fn run(options: &FilmOptions) -> Result<ExitCode, CommandError> {
             "--to: the film would end before it begins".to_owned(),
         ));
     }
-    let cameras = drawing::cameras(options, &scenario)?;
+    let count = scenario.cameras.len();
+    let named = |option, name: &Option<String>| {
+        let mode = name.as_deref().map(|name| camera(option, name, count));
+        mode.transpose()
+    };
+    let cameras = (
+        named("--camera", &options.camera)?,
+        named("--second", &options.second)?,
+    );
     let record = simulate(&scenario.scene)?;
     let end = options.to.unwrap_or(record.end_time);
     let frames = (end - options.from) * options.fps * options.slow;
@@ -141,20 +170,16 @@ pub(super) fn run(options: &FilmOptions) -> Result<ExitCode, CommandError> {
 mod drawing {
     //! A build without a window cannot draw.
 
-    use super::FilmOptions;
+    use super::{CameraMode, FilmOptions};
     use crate::cli::CommandError;
     use crate::physics::record::Record;
     use crate::scenarios::file::Scenario;
-
-    pub(super) fn cameras(_: &FilmOptions, _: &Scenario) -> Result<(), CommandError> {
-        Ok(())
-    }
 
     pub(super) fn draw(
         _: &FilmOptions,
         _: &Scenario,
         _: &Record,
-        (): (),
+        _: (Option<CameraMode>, Option<CameraMode>),
     ) -> Result<u32, CommandError> {
         let reason = "this is a build without a window, which cannot draw";
         Err(CommandError::NoDisplay(reason.to_owned()))
@@ -169,61 +194,36 @@ mod drawing {
 
     use indicatif::{ProgressBar, ProgressStyle};
 
-    use super::{FilmOptions, Work};
+    use super::{CameraMode, FilmOptions, Work};
     use crate::cli::CommandError;
     use crate::game::settings::Quality;
-    use crate::game::view::{Beside, CameraMode, SceneCameras};
+    use crate::game::view::Beside;
     use crate::physics::record::Record;
     use crate::scenarios::file::Scenario;
     use crate::window::film::{Film, FilmError};
-
-    /// The camera, and what stands beside it.
-    pub(super) struct Cameras {
-        all: SceneCameras,
-        first: CameraMode,
-        beside: Beside,
-    }
-
-    pub(super) fn cameras(
-        options: &FilmOptions,
-        scenario: &Scenario,
-    ) -> Result<Cameras, CommandError> {
-        let all = crate::window::seats(scenario);
-        let named = |option: &str, name: &str| {
-            let of_scene = || name.parse::<usize>().ok()?.checked_sub(1);
-            let mode = match name {
-                "overhead" => Some(CameraMode::Overhead),
-                "behind" => Some(CameraMode::BehindCue),
-                "free" => Some(CameraMode::Orbit),
-                "follow" => Some(CameraMode::Follow),
-                _ => of_scene().and_then(|place| all.mode(place)),
-            };
-            mode.ok_or_else(|| {
-                CommandError::Usage(format!(
-                    "{option} {name}: cameras are overhead, behind, free, follow, and 1 to {} of this scene",
-                    all.0.len()
-                ))
-            })
-        };
-        let first = match &options.camera {
-            Some(name) => named("--camera", name)?,
-            None => all.mode(0).unwrap_or(CameraMode::Overhead),
-        };
-        let beside = match &options.second {
-            Some(name) => Beside::Camera(named("--second", name)?),
-            None if options.other_laws => Beside::Laws,
-            None => Beside::Nothing,
-        };
-        Ok(Cameras { all, first, beside })
-    }
 
     pub(super) fn draw(
         options: &FilmOptions,
         scenario: &Scenario,
         record: &Record,
-        cameras: Cameras,
+        (first, second): (Option<CameraMode>, Option<CameraMode>),
     ) -> Result<u32, CommandError> {
         let (width, height) = options.size;
+        let cameras = crate::window::seats(scenario);
+        // What every table has is not a camera of its own.
+        let plain = |mode| match mode {
+            CameraMode::Scene(place) => cameras.mode(place).unwrap_or(mode),
+            mode => mode,
+        };
+        let first = match first {
+            Some(mode) => plain(mode),
+            None => cameras.mode(0).unwrap_or(CameraMode::Overhead),
+        };
+        let beside = match second {
+            Some(mode) => Beside::Camera(plain(mode)),
+            None if options.other_laws => Beside::Laws,
+            None => Beside::Nothing,
+        };
         let film = Film {
             scene: &scenario.scene,
             record,
@@ -231,9 +231,9 @@ mod drawing {
             fps: options.fps,
             slow: options.slow,
             span: (options.from, options.to),
-            camera: cameras.first,
-            cameras: cameras.all,
-            beside: cameras.beside,
+            camera: first,
+            cameras,
+            beside,
             trails: options.trails,
             quality: match options.quality {
                 None => Quality::Automatic,

@@ -10,7 +10,7 @@ use crate::report::heat_map::{self, HeatMap};
 use crate::scenarios::dial::Dial;
 use crate::scenarios::file::Scenario;
 use crate::scenarios::library;
-use crate::scenarios::sensitivity::{self, Edge, Room};
+use crate::scenarios::sensitivity::{self, Edge, Room, in_four_digits};
 
 /// Values each way of a map.
 const CELLS: usize = 81;
@@ -92,16 +92,6 @@ pub(super) fn run(options: &SensitivityOptions) -> Result<ExitCode, CommandError
     Ok(ExitCode::SUCCESS)
 }
 
-/// A number in four digits.
-fn number(value: f64) -> String {
-    let size = value.abs();
-    if size == 0.0 || size >= 1000.0 {
-        return format!("{value:.0}");
-    }
-    let decimals = (3.0 - libm::floor(libm::log10(size))).clamp(0.0, 12.0) as usize;
-    format!("{value:.decimals$}")
-}
-
 fn line(room: &Room, scenario: &Scenario) -> String {
     let side = |edge: &Edge, sign: &str| {
         let why = match edge.fails {
@@ -111,12 +101,12 @@ fn line(room: &Room, scenario: &Scenario) -> String {
             }
             None => "its stop".to_owned(),
         };
-        format!("{sign}{} ({why})", number(edge.by))
+        format!("{sign}{} ({why})", in_four_digits(edge.by))
     };
     format!(
         "{:9} {:>10} {:7}  {}  {}",
         room.dial.name(),
-        number(room.value),
+        in_four_digits(room.value),
         room.dial.unit(),
         side(&room.below, "-"),
         side(&room.above, "+"),

@@ -111,7 +111,7 @@ impl Twin {
 
 pub(super) fn plugin(app: &mut App) {
     app.init_resource::<Twin>().add_systems(
-        Update,
+        FixedPostUpdate,
         (begin, take, keep_time)
             .chain()
             .run_if(|view: Res<View>| view.beside == Beside::Laws),
@@ -164,7 +164,7 @@ fn take(mut twin: ResMut<Twin>) {
     }
 }
 
-/// Follows the time of the shot, or of its replay. When the table has come to rest the twin goes on to its own end.
+/// Follows the time of the shot, or of its replay, once a tick as the balls of the table do. When the table has come to rest the twin goes on to its own end.
 fn keep_time(
     mut twin: ResMut<Twin>,
     mut replay: ResMut<Replay>,

@@ -43,7 +43,9 @@ const MISSED: [(f64, &str, &str); 5] = [
     (f64::INFINITY, "#3d1f3a", "more"),
 ];
 
-fn colour(miss: f64) -> &'static str {
+/// The colour of a cell with this miss, as `#rrggbb`.
+#[must_use]
+pub fn colour(miss: f64) -> &'static str {
     if miss == 0.0 {
         return MET;
     }

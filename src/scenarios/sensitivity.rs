@@ -217,7 +217,19 @@ pub fn map(
     (across, along): (Dial, Dial),
     count: usize,
 ) -> Result<Map, SensitivityError> {
-    let rooms = sensitivity(scenario)?;
+    map_around(scenario, &sensitivity(scenario)?, (across, along), count)
+}
+
+/// The same where it is known already how far each number may be turned alone.
+///
+/// # Errors
+/// [`SensitivityError`] if there is nothing to turn.
+pub fn map_around(
+    scenario: &Scenario,
+    rooms: &[Room],
+    (across, along): (Dial, Dial),
+    count: usize,
+) -> Result<Map, SensitivityError> {
     let stroke = Stroke::of(scenario)?;
     let values = |dial: Dial| -> Vec<f64> {
         let room = rooms.iter().find(|room| room.dial == dial);
@@ -255,4 +267,15 @@ pub fn map(
         rows,
         misses: misses.concat(),
     })
+}
+
+/// A number in four digits, as far as it has any.
+#[must_use]
+pub fn in_four_digits(value: f64) -> String {
+    let size = value.abs();
+    if size == 0.0 || size >= 1000.0 {
+        return format!("{value:.0}");
+    }
+    let decimals = (3.0 - libm::floor(libm::log10(size))).clamp(0.0, 12.0) as usize;
+    format!("{value:.decimals$}")
 }

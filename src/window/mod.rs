@@ -24,7 +24,7 @@ mod start;
 pub use display::{NoDisplay, film, snapshot};
 pub use preset::Source;
 pub use render::quality::RenderQuality;
-pub use scenario_ui::{OnTable, OwnScenes, Stage, Studio, Turn, seats};
+pub use scenario_ui::{Heat, OnTable, OwnScenes, Stage, Studio, Turn, seats};
 
 use std::time::Instant;
 

@@ -12,6 +12,8 @@ mod crowds;
 mod cue_path;
 mod equip;
 mod exact;
+#[cfg(feature = "window")]
+mod film;
 mod frames;
 mod fuzz;
 mod hard;

@@ -107,9 +107,9 @@ impl Film<'_> {
 
         let (sender, receiver) = mpsc::channel();
         let mut kept = 0;
-        let mut keep_next = |pixels| {
-            kept += 1;
-            keep(kept, frames, pixels).map_err(FilmError::Kept)
+        let mut keep_next = |kept: &mut u32, pixels| {
+            *kept += 1;
+            keep(*kept, frames, pixels).map_err(FilmError::Kept)
         };
         for frame in 0..frames {
             self.turn_to(&mut app, self.span.0 + f64::from(frame) * self.step());
@@ -122,11 +122,17 @@ impl Film<'_> {
             app.world_mut().spawn(screenshot).observe(taken);
             app.update();
             // Frames come back some frames later, in order.
-            receiver.try_iter().try_for_each(&mut keep_next)?;
+            for pixels in receiver.try_iter() {
+                keep_next(&mut kept, pixels)?;
+            }
         }
-        for _ in 0..PATIENCE {
+        let mut patience = 0;
+        while kept < frames && patience < PATIENCE {
             app.update();
-            receiver.try_iter().try_for_each(&mut keep_next)?;
+            for pixels in receiver.try_iter() {
+                keep_next(&mut kept, pixels)?;
+            }
+            patience += 1;
         }
         if kept < frames {
             return Err(FilmError::Lost {

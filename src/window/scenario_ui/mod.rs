@@ -1,6 +1,7 @@
 //! Trick shots and the studio: the page that lists the library, the panel of what must happen, the panel in which layouts
 //! are built, saved and shared.
 
+mod heat;
 mod page;
 mod panel;
 mod seats;
@@ -23,6 +24,7 @@ use crate::window::action::Action;
 use crate::window::page::{AddPages, Page, PageId};
 use stage::Ask;
 
+pub use heat::Heat;
 pub use seats::seats;
 pub use share::OwnScenes;
 pub(super) use stage::begin;
@@ -33,6 +35,7 @@ pub(super) fn plugin(app: &mut App) {
     app.init_resource::<Stage>()
         .init_resource::<tricks::Stills>()
         .init_resource::<studio::Studio>()
+        .init_resource::<heat::Heat>()
         .init_resource::<OwnScenes>()
         .init_resource::<share::Clipboard>()
         .add_message::<Ask>()

@@ -151,7 +151,7 @@ fn paste(text: &str, open: &mut MessageWriter<OpenScene>) -> Result<Option<Sayin
 }
 
 /// What lies on the table now, with the stroke as it is aimed. Balls that are out of play are left out.
-fn scenario(
+pub(super) fn scenario(
     stage: &Stage,
     studio: &Studio,
     aim: &Aim,

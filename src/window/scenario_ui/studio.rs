@@ -6,7 +6,8 @@ use bevy::prelude::*;
 use bevy_egui::{EguiContexts, egui};
 use glam::DVec2;
 
-use super::share::{Asked, OwnScenes};
+use super::heat::{self, Heat};
+use super::share::{self, Asked, OwnScenes};
 use super::stage::Stage;
 use crate::game::aim::{Aim, Swing};
 use crate::game::practice::{Practice, PracticeCommand};
@@ -88,6 +89,7 @@ impl Studio {
 pub(super) struct Bench<'w, 's> {
     studio: ResMut<'w, Studio>,
     practice: ResMut<'w, Practice>,
+    heat: ResMut<'w, Heat>,
     own: Res<'w, OwnScenes>,
     stage: Res<'w, Stage>,
     aim: Res<'w, Aim>,
@@ -140,6 +142,16 @@ fn contents(ui: &mut egui::Ui, bench: &mut Bench) {
         ui.separator();
         words(ui, &language, bench);
     });
+    ui.separator();
+    egui::CollapsingHeader::new(language.text("heat-title"))
+        .id_salt("heat-title")
+        .show(ui, |ui| {
+            let (stage, studio, aim) = (&bench.stage, &bench.studio, &bench.aim);
+            let laid = || share::scenario(stage, studio, aim, &bench.playfield, &bench.balls);
+            ui.add_enabled_ui(is_still, |ui| {
+                heat::show(ui, &language, &mut bench.heat, laid)
+            });
+        });
 }
 
 fn history(ui: &mut egui::Ui, language: &Language, bench: &mut Bench) {

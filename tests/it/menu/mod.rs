@@ -1,5 +1,6 @@
 //! The menu and the settings, driven as a person drives them: with keys alone, with the pointer, with a gamepad.
 
+mod halves;
 mod match_page;
 mod pad;
 mod settings;

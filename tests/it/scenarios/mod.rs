@@ -2,6 +2,7 @@
 
 mod command_line;
 mod expectations;
+mod films;
 mod library;
 mod pictures;
 mod refusals;
