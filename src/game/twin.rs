@@ -165,7 +165,7 @@ fn take(mut twin: ResMut<Twin>) {
 }
 
 /// Follows the time of the shot, or of its replay, once a tick as the balls of the table do. When the table has come to rest the twin goes on to its own end.
-fn keep_time(
+pub fn keep_time(
     mut twin: ResMut<Twin>,
     mut replay: ResMut<Replay>,
     clock: Res<Clock>,

@@ -16,17 +16,17 @@ const GAP: u32 = 4;
 #[derive(Component)]
 pub(super) struct SecondEye;
 
-/// Opens and closes the second eye.
+/// Opens and closes the second eye: the first time it comes to be, from then on it sleeps while it is not wanted.
 pub(super) fn open(
     mut commands: Commands,
     view: Res<View>,
     playfield: Res<Playfield>,
     first: Single<(Option<&RenderTarget>, &Camera), With<FirstEye>>,
-    second: Query<Entity, With<SecondEye>>,
+    mut second: Query<&mut Camera, (With<SecondEye>, Without<FirstEye>)>,
 ) {
     // A crowd is too much to be drawn twice.
     let wanted = view.beside != Beside::Nothing && !playfield.solver.is_crowd();
-    match second.single() {
+    match second.single_mut() {
         Err(_) if wanted => {
             let (target, camera) = *first;
             let mut second = commands.spawn((
@@ -41,7 +41,7 @@ pub(super) fn open(
                 second.insert(target.clone());
             }
         }
-        Ok(eye) if !wanted => commands.entity(eye).despawn(),
+        Ok(mut eye) if eye.is_active != wanted => eye.is_active = wanted,
         _ => {}
     }
 }
@@ -51,7 +51,8 @@ pub(super) fn share(
     mut first: Single<&mut Camera, (With<FirstEye>, Without<SecondEye>)>,
     mut second: Query<&mut Camera, With<SecondEye>>,
 ) {
-    let Ok(mut other) = second.single_mut() else {
+    let awake = second.single_mut().ok().filter(|eye| eye.is_active);
+    let Some(mut other) = awake else {
         if first.viewport.is_some() {
             first.viewport = None;
         }
@@ -101,7 +102,7 @@ impl Under<'_, '_> {
     /// Whether it is over that of the second eye.
     pub(super) fn is_second(&self) -> bool {
         let at = self.windows.single().ok().and_then(Window::cursor_position);
-        let half = self.second.single().ok();
+        let half = self.second.single().ok().filter(|eye| eye.is_active);
         let half = half.and_then(Camera::logical_viewport_rect);
         at.zip(half).is_some_and(|(at, half)| half.contains(at))
     }

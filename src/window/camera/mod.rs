@@ -113,6 +113,9 @@ fn follow(
         // While balls move the camera behind the cue stays where the shot was played from.
         .filter(|_| !clock.moving && !replay.is_active());
     for (mut transform, mut projection, mut rig, camera, is_second) in &mut eyes {
+        if !camera.is_active {
+            continue;
+        }
         let size = camera
             .logical_viewport_size()
             .unwrap_or(Vec2::new(16.0, 9.0));

@@ -19,13 +19,14 @@ pub(super) fn show(
     language: Res<Language>,
     eyes: Query<(&Camera, Has<FirstEye>), With<Camera3d>>,
 ) -> Result {
-    if view.beside == Beside::Nothing || eyes.iter().len() < 2 {
+    let awake = || eyes.iter().filter(|(camera, _)| camera.is_active);
+    if view.beside == Beside::Nothing || awake().count() < 2 {
         return Ok(());
     }
     let context = contexts.ctx_mut()?;
     let zoom = context.zoom_factor();
     let painter = context.layer_painter(egui::LayerId::background());
-    for (camera, is_first) in &eyes {
+    for (camera, is_first) in awake() {
         let Some(half) = camera.logical_viewport_rect() else {
             continue;
         };

@@ -52,7 +52,7 @@ pub(super) fn show(
         .flat_map(|eye| balls.iter().map(move |ball| (eye, ball)));
     for ((camera, eye, is_first), (place, name, radius, motion)) in pairs {
         // The balls of other laws lie elsewhere.
-        if !is_first && view.beside == Beside::Laws {
+        if !camera.is_active || (!is_first && view.beside == Beside::Laws) {
             continue;
         }
         let Some(half) = camera.logical_viewport_rect() else {

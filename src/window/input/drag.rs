@@ -76,7 +76,8 @@ impl Pointer<'_, '_> {
         let at = self.window.single().ok()?.cursor_position()?;
         self.camera.iter().find_map(|(camera, place, is_first)| {
             let half = camera.logical_viewport_rect()?;
-            half.contains(at).then_some((at, camera, place, is_first))
+            let is_here = camera.is_active && half.contains(at);
+            is_here.then_some((at, camera, place, is_first))
         })
     }
 

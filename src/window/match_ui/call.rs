@@ -95,7 +95,7 @@ pub(super) fn point(
     let mut eyes = camera.iter();
     let eye = eyes.find(|(camera, _)| {
         let half = camera.logical_viewport_rect();
-        half.is_some_and(|half| half.contains(at))
+        camera.is_active && half.is_some_and(|half| half.contains(at))
     });
     let Some((camera, place)) = eye.filter(|_| clicked) else {
         return;

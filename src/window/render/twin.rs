@@ -83,25 +83,26 @@ fn hang_lamps(
     mut commands: Commands,
     view: Res<View>,
     lamps: Lamps,
-    twins: Query<Entity, With<TwinLamp>>,
+    mut twins: Query<(Entity, &mut Visibility), With<TwinLamp>>,
 ) {
-    let wanted = view.beside == Beside::Laws;
+    let wanted = if view.beside == Beside::Laws {
+        Visibility::Inherited
+    } else {
+        Visibility::Hidden
+    };
+    for (_, mut seen) in &mut twins {
+        seen.set_if_neq(wanted);
+    }
     let changed = lamps.iter().any(|(lamp, _)| lamp.is_changed());
     let as_many = twins.iter().len() == lamps.iter().len();
-    if if wanted {
-        as_many && !changed
-    } else {
-        twins.is_empty()
-    } {
+    if wanted == Visibility::Hidden || (as_many && !changed) {
         return;
     }
-    for lamp in &twins {
+    for (lamp, _) in &twins {
         commands.entity(lamp).despawn();
     }
-    if wanted {
-        for (lamp, place) in &lamps {
-            commands.spawn((TwinLamp, *lamp, *place, alone()));
-        }
+    for (lamp, place) in &lamps {
+        commands.spawn((TwinLamp, *lamp, *place, alone()));
     }
 }
 

@@ -62,16 +62,14 @@ pub(super) fn plugin(app: &mut App) {
         .add_systems(FixedUpdate, stage::watch.after(SimSystems::Judge))
         .add_systems(
             Update,
-            (stage::obey.run_if(on_message::<Ask>), stage::judge).chain(),
-        )
-        .add_systems(
-            Last,
             (
-                stage::open,
+                stage::obey.run_if(on_message::<Ask>),
                 seats::follow.run_if(resource_exists_and_changed::<Stage>),
+                stage::judge,
             )
                 .chain(),
         )
+        .add_systems(Last, stage::open)
         .add_systems(
             EguiPrimaryContextPass,
             (panel::show, studio::show)

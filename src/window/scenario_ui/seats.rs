@@ -29,14 +29,22 @@ pub fn seats(scenario: &Scenario) -> SceneCameras {
     SceneCameras(scenario.cameras.iter().map(seat).collect())
 }
 
-/// The cameras come and go with the scenario on the table.
-pub(super) fn follow(stage: Res<Stage>, mut cameras: ResMut<SceneCameras>, mut view: ResMut<View>) {
+/// The cameras come and go with the scenario on the table; one that is opened is seen through its first.
+pub(super) fn follow(
+    mut stage: ResMut<Stage>,
+    mut cameras: ResMut<SceneCameras>,
+    mut view: ResMut<View>,
+) {
     let on = stage.on_table();
     let now = on.map_or_else(SceneCameras::default, |on| seats(&on.scenario));
-    if *cameras == now {
-        return;
+    if *cameras != now {
+        *cameras = now;
     }
-    *cameras = now;
+    if stage.bypass_change_detection().take_opened()
+        && let Some(first) = cameras.mode(0)
+    {
+        view.camera = first;
+    }
     let is_gone = |mode: CameraMode| {
         matches!(mode, CameraMode::Scene(_)) && !cameras.modes().any(|other| other == mode)
     };

@@ -9,7 +9,6 @@ use crate::game::equip::OpenScene;
 use crate::game::practice::{Practice, PracticeCommand};
 use crate::game::studio::StudioCommand;
 use crate::game::target;
-use crate::game::view::View;
 use crate::physics::cue::Shot;
 use crate::physics::record::EndReason;
 use crate::physics::scene::{Rack, Scene};
@@ -22,7 +21,6 @@ use crate::sim::messages::{LoadScene, Struck};
 use crate::sim::playfield::{BallQuery, Playfield, snapshot};
 use crate::sim::recorder::Recorder;
 
-use super::seats::seats;
 use super::tricks::tricks;
 
 /// How often expectations are looked at while balls move.
@@ -122,6 +120,8 @@ pub struct Stage {
     on: Option<OnTable>,
     /// Whether the next scene that is laid out is this one.
     is_announced: bool,
+    /// Whether its first camera is still to be taken.
+    is_opened: bool,
     /// The aim when it lies there.
     next_aim: Option<Aim>,
 }
@@ -131,6 +131,11 @@ impl Stage {
     #[must_use]
     pub fn on_table(&self) -> Option<&OnTable> {
         self.on.as_ref()
+    }
+
+    /// Whether a scenario has been opened since this was asked last.
+    pub(super) fn take_opened(&mut self) -> bool {
+        std::mem::take(&mut self.is_opened)
     }
 }
 
@@ -153,20 +158,14 @@ pub(super) enum Ask {
 pub(in crate::window) fn begin(world: &mut World, scenario: Scenario) {
     let mut on = OnTable::new("", scenario);
     on.begin(Turn::Shown);
-    if let Some(first) = seats(&on.scenario).mode(0) {
-        world.resource_mut::<View>().camera = first;
-    }
     let mut stage = world.resource_mut::<Stage>();
+    stage.is_opened = true;
     stage.on = Some(on);
     stage.is_announced = true;
 }
 
 /// Takes down which scene is opened; others lay it out, and tell if it is no good.
-pub(super) fn open(
-    mut asked: MessageReader<OpenScene>,
-    mut stage: ResMut<Stage>,
-    mut view: ResMut<View>,
-) {
+pub(super) fn open(mut asked: MessageReader<OpenScene>, mut stage: ResMut<Stage>) {
     let Some(OpenScene { name, play }) = asked.read().last() else {
         return;
     };
@@ -180,10 +179,8 @@ pub(super) fn open(
     } else {
         stage.next_aim = on.aim();
     }
-    if let Some(first) = seats(&on.scenario).mode(0) {
-        view.camera = first;
-    }
     stage.is_announced = true;
+    stage.is_opened = true;
     stage.on = Some(on);
 }
 

@@ -1,6 +1,7 @@
 //! A shared picture: another camera, the cameras of a scene, other laws; and how far a stroke may vary.
 
 use bevy::prelude::*;
+use masse::game::aim::Aim;
 use masse::game::equip::OpenScene;
 use masse::game::twin::{Twin, TwinLaws};
 use masse::game::view::{Beside, CameraMode, FirstEye, View};
@@ -13,10 +14,14 @@ fn view(app: &App) -> View {
     *app.world().resource::<View>()
 }
 
-/// How many cameras look at the table, and whether the first draws into a half.
+/// How many cameras look at the table, and how many of them are the first.
 fn eyes(app: &mut App) -> (usize, usize) {
     let world = app.world_mut();
-    let all = world.query::<&Camera3d>().iter(world).count();
+    let mut cameras = world.query_filtered::<&Camera, With<Camera3d>>();
+    let all = cameras
+        .iter(world)
+        .filter(|camera| camera.is_active)
+        .count();
     let first = world
         .query_filtered::<&Camera3d, With<FirstEye>>()
         .iter(world)
@@ -126,7 +131,10 @@ fn the_studio_tells_how_far_a_stroke_may_vary() {
     });
     let met = app.world().resource::<Heat>().met();
     // The same as the functions below say.
-    let scenario = masse::scenarios::library::open("stop-shot").expect("it is built in");
+    let mut scenario = masse::scenarios::library::open("stop-shot").expect("it is built in");
+    // The butt of the cue may be raised where there is no room for it.
+    let aimed = app.world().resource::<Aim>().shot;
+    scenario.scene.shot.as_mut().expect("it has a shot").shot = aimed;
     let dials = (
         masse::scenarios::dial::Dial::Heading,
         masse::scenarios::dial::Dial::Speed,

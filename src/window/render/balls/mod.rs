@@ -14,6 +14,7 @@ use bevy::light::{NotShadowCaster, NotShadowReceiver};
 use bevy::prelude::*;
 
 use crate::game::settings::{Marks, Settings};
+use crate::game::twin::keep_time;
 use crate::sim::components::{BallIndex, BallName, Position, Radius};
 use crate::sim::playfield::Playfield;
 use crate::window::render::Drawing;
@@ -24,7 +25,7 @@ use motion::{Globe, Shade, Track};
 pub(super) fn plugin(app: &mut App) {
     app.init_resource::<Looks>()
         .add_observer(dress)
-        .add_systems(FixedPostUpdate, motion::follow)
+        .add_systems(FixedPostUpdate, motion::follow.after(keep_time))
         .add_systems(
             RunFixedMainLoop,
             (change_clothes, motion::place, twin::dress, twin::place)
