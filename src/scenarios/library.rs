@@ -49,6 +49,7 @@ pub const BUILT_IN: &[BuiltIn] = &[
     scene!("jump-shot"),
     scene!("partial-jump"),
     scene!("baby-jump"),
+    scene!("rebound-jump"),
     scene!("circular-follow"),
     // Banks and kicks.
     scene!("bank-cross-side"),
@@ -72,6 +73,7 @@ pub const BUILT_IN: &[BuiltIn] = &[
     scene!("two-ball-spread"),
     scene!("just-showing-off"),
     scene!("butterfly"),
+    scene!("football"),
     // The coursework and what is real of it.
     scene!("coursework-1-collisions"),
     scene!("coursework-2-grid"),
