@@ -20,7 +20,7 @@ use bevy::prelude::*;
 use bevy_egui::EguiPrimaryContextPass;
 use bevy_egui::input::egui_wants_any_keyboard_input;
 
-use crate::game::view::{CameraMode, View};
+use crate::game::view::{CameraMode, FirstEye, View};
 use crate::game::watch::Watch;
 use crate::sim::SimSystems;
 use crate::sim::playfield::Playfield;
@@ -115,7 +115,7 @@ fn ring(
     watch: Res<Watch>,
     crowd: Res<Crowd>,
     packed: Res<pack::Packed>,
-    camera: Single<&GlobalTransform, With<Camera3d>>,
+    camera: Single<&GlobalTransform, With<FirstEye>>,
 ) {
     let Some(state) = watch.chosen.and_then(|number| crowd.state(number)) else {
         return;

@@ -9,6 +9,7 @@ use bevy::math::Vec3;
 use bevy::prelude::*;
 use bevy::render::storage::ShaderBuffer;
 
+use crate::game::view::FirstEye;
 use crate::sim::clock::Clock;
 use crate::sim::components::{AngularVelocity, BallIndex, MotionKind, Position, Radius, Velocity};
 use crate::sim::playfield::Playfield;
@@ -83,7 +84,7 @@ pub(super) fn pack(
     playfield: Res<Playfield>,
     clock: Res<Clock>,
     balls: Balls,
-    camera: Query<(&Camera, &GlobalTransform), With<Camera3d>>,
+    camera: Query<(&Camera, &GlobalTransform), With<FirstEye>>,
 ) {
     let packed = &mut *packed;
     packed.fresh = false;
@@ -135,7 +136,7 @@ pub(super) fn pack(
 }
 
 /// Where the eye is, and how far it sees markings, m.
-fn sight(camera: &Query<(&Camera, &GlobalTransform), With<Camera3d>>, radius: f32) -> (Vec3, f32) {
+fn sight(camera: &Query<(&Camera, &GlobalTransform), With<FirstEye>>, radius: f32) -> (Vec3, f32) {
     let Ok((camera, place)) = camera.single() else {
         return (Vec3::ZERO, 0.0);
     };

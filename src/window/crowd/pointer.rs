@@ -7,7 +7,7 @@ use bevy::window::{CursorMoved, PrimaryWindow};
 use bevy_egui::input::EguiWantsInput;
 use leafwing_input_manager::prelude::ActionState;
 
-use crate::game::view::CameraInput;
+use crate::game::view::{CameraInput, FirstEye};
 use crate::game::watch::{Watch, met_by_ray};
 use crate::sim::components::{BallIndex, MotionKind, Position, Radius};
 use crate::window::action::Action;
@@ -28,7 +28,7 @@ pub(super) struct Grasp {
     way: Option<f32>,
 }
 
-type Eye<'w, 's> = Query<'w, 's, (&'static Camera, &'static GlobalTransform), With<Camera3d>>;
+type Eye<'w, 's> = Query<'w, 's, (&'static Camera, &'static GlobalTransform), With<FirstEye>>;
 
 /// Takes the ball under the pointer when the button comes up where it went down.
 pub(super) fn press(

@@ -50,8 +50,12 @@ pub(super) fn plugin(app: &mut App) {
         )
         .add_systems(
             PreUpdate,
-            keys.in_set(WindowSystems::Scenes)
-                .run_if(not(egui_wants_any_keyboard_input)),
+            (
+                seats::follow.run_if(resource_exists_and_changed::<Stage>),
+                keys.run_if(not(egui_wants_any_keyboard_input)),
+            )
+                .chain()
+                .in_set(WindowSystems::Scenes),
         )
         .add_systems(
             PreUpdate,
@@ -62,12 +66,7 @@ pub(super) fn plugin(app: &mut App) {
         .add_systems(FixedUpdate, stage::watch.after(SimSystems::Judge))
         .add_systems(
             Update,
-            (
-                stage::obey.run_if(on_message::<Ask>),
-                seats::follow.run_if(resource_exists_and_changed::<Stage>),
-                stage::judge,
-            )
-                .chain(),
+            (stage::obey.run_if(on_message::<Ask>), stage::judge).chain(),
         )
         .add_systems(Last, stage::open)
         .add_systems(
