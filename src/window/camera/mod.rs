@@ -106,12 +106,20 @@ fn follow(
         time.delta_secs()
     };
     let is_crowd = playfield.solver.is_crowd();
-    let waiting = balls
-        .iter()
-        .find(|(index, _, _, motion)| index.0 == aim.ball && motion.0.in_play())
-        .map(|(_, _, position, _)| position.0.as_vec3())
-        // While balls move the camera behind the cue stays where the shot was played from.
-        .filter(|_| !clock.moving && !replay.is_active());
+    // Where the shot is played from, which a replay shows again. While balls move the camera behind the cue stays there.
+    let waiting = match &replay.0 {
+        Some(playback) => playback
+            .record
+            .paths
+            .get(aim.ball)
+            .and_then(|path| path.first())
+            .map(|first| first.piece.start.position.as_vec3()),
+        None => balls
+            .iter()
+            .find(|(index, _, _, motion)| index.0 == aim.ball && motion.0.in_play())
+            .map(|(_, _, position, _)| position.0.as_vec3())
+            .filter(|_| !clock.moving),
+    };
     for (mut transform, mut projection, mut rig, camera, is_second) in &mut eyes {
         if !camera.is_active {
             continue;

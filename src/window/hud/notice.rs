@@ -17,6 +17,8 @@ use crate::window::page::panel_id;
 const STAY: Duration = Duration::from_secs(8);
 /// What a frame counts at most while a notice stays.
 const LONGEST: Duration = Duration::from_millis(200);
+/// Greatest width of a notice in points.
+const WIDTH: f32 = 480.0;
 /// Notices shown at once.
 const SHOWN: usize = 3;
 
@@ -105,6 +107,8 @@ pub(super) fn show(
         .order(egui::Order::Foreground)
         .anchor(egui::Align2::CENTER_BOTTOM, egui::vec2(0.0, -44.0))
         .show(context, |ui| {
+            // Not as narrow as what was shown before.
+            ui.set_max_width(WIDTH.min(0.9 * context.content_rect().width()));
             for (i, (saying, is_failure, _)) in notices.list.iter().enumerate() {
                 let text = language.say(saying);
                 let color = if *is_failure {

@@ -76,6 +76,11 @@ impl Studio {
             return;
         }
         self.seen = seen;
+        // The file of one scene is not to be overwritten with another.
+        let file = format!("{}.ron", self.name);
+        if on.is_none_or(|on| !on.name.ends_with(&file)) {
+            self.name.clear();
+        }
         if let Some(on) = on {
             self.title.clone_from(&on.scenario.title);
             self.look_for.clone_from(&on.scenario.look_for);
