@@ -15,6 +15,10 @@ use crate::window::page::panel_id;
 const RATES: [f64; 6] = [-1.0, -0.25, 0.1, 0.25, 1.0, 4.0];
 
 /// Lays out the bar while a replay runs, and else the button that starts one.
+#[expect(
+    clippy::too_many_arguments,
+    reason = "a system names everything it reads"
+)]
 pub(super) fn show(
     mut contexts: EguiContexts,
     replay: Res<Replay>,

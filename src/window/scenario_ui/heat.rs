@@ -4,7 +4,7 @@
 use bevy::prelude::*;
 use bevy::tasks::futures_lite::future;
 use bevy::tasks::{AsyncComputeTaskPool, Task, block_on};
-use bevy_egui::egui::{self, Color32, Rect, pos2, vec2};
+use bevy_egui::egui::{self, Align2, Color32, Rect, pos2, vec2};
 
 use crate::report::heat_map;
 use crate::scenarios::dial::Dial;
@@ -24,12 +24,16 @@ const MARGIN: (f32, f32) = (56.0, 18.0);
 /// What was worked out.
 #[derive(Debug)]
 struct Found {
-    of: Scenario,
     rooms: Vec<Room>,
     map: Map,
 }
 
-type Outcome = Result<Found, (Scenario, SensitivityError)>;
+/// Of which shot, and what came of it.
+#[derive(Debug)]
+struct Outcome {
+    of: Scenario,
+    found: Result<Found, SensitivityError>,
+}
 
 /// Which two numbers are varied, and what came of it.
 #[derive(Resource, Debug)]
@@ -75,7 +79,7 @@ impl Heat {
     /// The share of the map on which the shot does what is expected, once it is there.
     #[must_use]
     pub fn met(&self) -> Option<f64> {
-        let found = self.done.as_ref()?.as_ref().ok()?;
+        let found = self.done.as_ref()?.found.as_ref().ok()?;
         Some(found.map.met())
     }
 }
@@ -84,23 +88,19 @@ impl Heat {
 fn work(scenario: Scenario, over: (Dial, Dial)) -> Outcome {
     let processors = std::thread::available_parallelism().map_or(1, usize::from);
     let threads = rayon::ThreadPoolBuilder::new().num_threads((processors - 1).max(1));
-    let found = |scenario: &Scenario| {
-        let rooms = sensitivity::sensitivity(scenario)?;
-        let map = sensitivity::map_around(scenario, &rooms, over, CELLS)?;
-        Ok((rooms, map))
+    let find = || {
+        let rooms = sensitivity::sensitivity(&scenario)?;
+        let map = sensitivity::map_around(&scenario, &rooms, over, CELLS)?;
+        Ok(Found { rooms, map })
     };
     let found = match threads.build() {
-        Ok(pool) => pool.install(|| found(&scenario)),
+        Ok(pool) => pool.install(find),
         // Without threads of its own it takes those that are there.
-        Err(_) => found(&scenario),
+        Err(_) => find(),
     };
-    match found {
-        Ok((rooms, map)) => Ok(Found {
-            of: scenario,
-            rooms,
-            map,
-        }),
-        Err(error) => Err((scenario, error)),
+    Outcome {
+        of: scenario,
+        found,
     }
 }
 
@@ -136,14 +136,20 @@ pub(super) fn show(
         None => {
             ui.add(egui::Label::new(language.text("heat-about")).wrap());
         }
-        Some(Ok(found)) => {
-            if found.of.scene.shot != scenario().scene.shot {
+        Some(Outcome {
+            of,
+            found: Ok(found),
+        }) => {
+            if of.scene.shot != scenario().scene.shot {
                 ui.weak(language.text("heat-old"));
             }
             picture(ui, language, found);
-            table(ui, language, found);
+            table(ui, language, of, found);
         }
-        Some(Err((of, error))) => {
+        Some(Outcome {
+            of,
+            found: Err(error),
+        }) => {
             let why = why(language, of, error);
             ui.add(egui::Label::new(why).wrap());
         }
@@ -239,11 +245,10 @@ fn picture(ui: &mut egui::Ui, language: &Language, found: &Found) {
     }
     let font = egui::FontId::proportional(11.0);
     let ink = ui.visuals().text_color();
-    let write = |at, anchor: egui::Align2, value: Option<&f64>, dial: Dial| {
+    let write = |at, anchor: Align2, value: Option<&f64>, dial: Dial| {
         let value = value.map_or_else(String::new, |value| in_four_digits(*value) + unit(dial));
         painter.text(at, anchor, value, font.clone(), ink);
     };
-    use egui::Align2;
     let below = field.bottom() + 3.0;
     write(
         pos2(field.left(), below),
@@ -275,7 +280,7 @@ fn picture(ui: &mut egui::Ui, language: &Language, found: &Found) {
 }
 
 /// How far each number may be turned alone.
-fn table(ui: &mut egui::Ui, language: &Language, found: &Found) {
+fn table(ui: &mut egui::Ui, language: &Language, of: &Scenario, found: &Found) {
     egui::Grid::new("heat")
         .num_columns(4)
         .striped(true)
@@ -287,14 +292,14 @@ fn table(ui: &mut egui::Ui, language: &Language, found: &Found) {
                 edge(
                     ui,
                     language,
-                    found,
+                    of,
                     &room.below,
                     &format!("−{}", in_four_digits(room.below.by)),
                 );
                 edge(
                     ui,
                     language,
-                    found,
+                    of,
                     &room.above,
                     &format!("+{}", in_four_digits(room.above.by)),
                 );
@@ -304,8 +309,8 @@ fn table(ui: &mut egui::Ui, language: &Language, found: &Found) {
     ui.weak(language.text("heat-hint"));
 }
 
-fn edge(ui: &mut egui::Ui, language: &Language, found: &Found, edge: &Edge, text: &str) {
-    let fails = edge.fails.and_then(|fails| found.of.expect.get(fails));
+fn edge(ui: &mut egui::Ui, language: &Language, of: &Scenario, edge: &Edge, text: &str) {
+    let fails = edge.fails.and_then(|fails| of.expect.get(fails));
     let why = match fails {
         Some(one) => {
             let wanted = language.phrase(&one.wanted());

@@ -154,7 +154,7 @@ fn contents(ui: &mut egui::Ui, bench: &mut Bench) {
             let (stage, studio, aim) = (&bench.stage, &bench.studio, &bench.aim);
             let laid = || share::scenario(stage, studio, aim, &bench.playfield, &bench.balls);
             ui.add_enabled_ui(is_still, |ui| {
-                heat::show(ui, &language, &mut bench.heat, laid)
+                heat::show(ui, &language, &mut bench.heat, laid);
             });
         });
 }
