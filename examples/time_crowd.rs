@@ -79,9 +79,6 @@ fn main() {
     {
         let mut crowd = app.world_mut().resource_mut::<Crowd>();
         crowd.threads = get(5, "").parse().ok();
-        if let Ok(in_tile) = get(7, "").parse() {
-            crowd.stripes = Some(in_tile);
-        }
         if get(6, "mirror") == "bare" {
             crowd.mirror = Mirror::WhenAsked;
         }
@@ -123,12 +120,13 @@ fn main() {
     let time = f64::from(ticks) / rate;
     println!();
     println!(
-        "collisions {:.2} per ball and second, energy {:.3e}, overlap {:.2e} diameters, parts {:.2}, repeated {} tiles in all, saturated {}, speed {:.2}",
+        "collisions {:.2} per ball and second, energy {:.3e}, overlap {:.2e} diameters, parts {:.2}, late {:.2} of a thousand contacts, saturated {}, speed {:.2}",
         2.0 * (census.contacts_in_all - first.contacts_in_all) as f64 / count as f64 / time,
         census.energy / first.energy - 1.0,
         overlap / (2.0 * Ball::POOL.radius),
         f64::from(parts) / f64::from(ticks),
-        census.repeated,
+        1e3 * (census.late - first.late) as f64
+            / (census.contacts_in_all - first.contacts_in_all).max(1) as f64,
         census.saturated,
         census.speed,
     );

@@ -49,6 +49,7 @@ pub(super) fn run(
         "momentum": census.momentum,
         "speed": census.speed,
         "overlap": census.overlap,
+        "late": census.late,
         "saturated": census.saturated,
     });
     if !quiet {

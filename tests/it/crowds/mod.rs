@@ -51,12 +51,11 @@ fn as_crowd(scene: &mut Scene, tick: f64, grid: Option<(u32, u32)>) {
     });
 }
 
-/// Plays so many ticks on so many threads in so many stripes.
-fn play(scene: &Scene, ticks: u32, threads: usize, stripes: usize) -> (Vec<State>, Census) {
+/// Plays so many ticks on so many threads.
+fn play(scene: &Scene, ticks: u32, threads: usize) -> (Vec<State>, Census) {
     let mut app = stepping::headless_app(scene);
     let mut crowd = app.world_mut().resource_mut::<Crowd>();
     crowd.threads = Some(threads);
-    crowd.stripes = Some(stripes);
     stepping::step(&mut app, ticks);
     let census = app.world().resource::<Census>().clone();
     (stepping::states(&mut app), census)

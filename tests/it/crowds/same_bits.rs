@@ -1,4 +1,4 @@
-//! One answer, whoever computes it.
+//! One answer, whoever computes it, and near that of the solver for few balls.
 
 use glam::DVec3;
 use masse::physics::ball::{Ball, State};
@@ -42,42 +42,52 @@ fn assert_same(a: &[State], b: &[State], what: &str) {
     }
 }
 
-#[test]
-fn a_gas_ends_where_the_solver_for_few_balls_ends_it() {
-    let scene = gas(3000, 0.4, 1.0, Laws::ideal(), SMOOTH);
-    let expected = few(&scene, 20);
-    for stripes in [1, 7] {
-        let (states, census) = play(&scene, 20, 2, stripes);
-        assert_close(&expected, &states, &format!("{stripes} stripes"));
-        assert!(census.contacts_in_all > 5_000, "{census:?}");
-        assert_eq!(census.parts, 1);
-    }
+/// Most balls are where the solver for few balls has them. A crowd gives up the order of time for a few contacts in a
+/// thousand, and what such a ball meets is off from then on: at most this share of the balls after this many ticks.
+fn assert_nearly(scene: &Scene, ticks: u32, share: f64) {
+    let (expected, (states, census)) = (few(scene, ticks), play(scene, ticks, 2));
+    let off = |(a, b): &(&State, &State)| (a.position - b.position).length() > 1e-8;
+    let off = expected.iter().zip(&states).filter(off).count();
+    assert!(
+        (off as f64) < share * states.len() as f64,
+        "{off}: {census:?}"
+    );
+    assert!(census.late * 100 < census.contacts_in_all, "{census:?}");
 }
 
 #[test]
-fn threads_stripes_and_cells_change_no_bit() {
+fn a_gas_ends_where_the_solver_for_few_balls_ends_it() {
+    let scene = gas(3000, 0.4, 1.0, Laws::ideal(), SMOOTH);
+    assert_nearly(&scene, 10, 0.05);
+    let (_, census) = play(&scene, 20, 2);
+    assert!(census.contacts_in_all > 5_000, "{census:?}");
+    assert_eq!(census.parts, 1);
+}
+
+#[test]
+fn threads_change_no_bit() {
     let scene = gas(2500, 0.5, 2.0, Laws::ideal(), SMOOTH);
-    let (expected, _) = play(&scene, 60, 1, 1);
-    for threads in [1, 2, 3, 8] {
-        for grid in [None, Some((20, 20)), Some((50, 50)), Some((130, 7))] {
-            let mut scene = scene.clone();
-            as_crowd(&mut scene, 1.0 / 120.0, grid);
-            let (states, _) = play(&scene, 60, threads, 3 * threads);
+    for grid in [None, Some((20, 20)), Some((50, 50)), Some((130, 7))] {
+        let mut scene = scene.clone();
+        as_crowd(&mut scene, 1.0 / 120.0, grid);
+        let (expected, _) = play(&scene, 60, 1);
+        for threads in [2, 3, 8] {
+            let (states, _) = play(&scene, 60, threads);
             assert_same(&expected, &states, &format!("{threads} threads, {grid:?}"));
         }
     }
 }
 
 #[test]
-fn threads_and_stripes_change_no_bit_with_cloth_and_spin() {
+fn threads_change_no_bit_with_cloth_and_spin() {
     let mut scene = gas(2500, 0.5, 2.0, Laws::default(), Ball::POOL);
     for ball in &mut scene.balls {
         ball.state.angular_velocity = 30.0 * ball.state.velocity;
     }
-    let (expected, census) = play(&scene, 90, 1, 1);
+    let (expected, census) = play(&scene, 90, 1);
     assert!(census.contacts_in_all > 10_000, "{census:?}");
     for threads in [1, 2, 5] {
-        let (states, _) = play(&scene, 90, threads, 1 + 2 * threads);
+        let (states, _) = play(&scene, 90, threads);
         assert_same(&expected, &states, &format!("{threads} threads"));
     }
 }
@@ -102,8 +112,8 @@ fn a_blow_runs_through_all_stripes_of_a_frozen_row() {
     let cue = scene.place("cue", SMOOTH, 0.0, -202.5 * radius);
     scene.balls[cue].state.velocity = DVec3::Z;
     as_crowd(&mut scene, 1.0 / 60.0, None);
-    let (expected, _) = play(&scene, 20, 1, 1);
-    let (states, census) = play(&scene, 20, 2, 10);
+    let (expected, _) = play(&scene, 20, 1);
+    let (states, census) = play(&scene, 20, 2);
     assert_same(&expected, &states, "frozen row");
     // A crowd passes the blow on from ball to ball; the solver for few balls resolves what touches together.
     assert_close(&few(&scene, 20), &states, "frozen row");
@@ -133,8 +143,7 @@ fn balls_among_pegs_end_where_the_solver_for_few_balls_ends_them() {
             .cushions
             .push(masse::physics::table::Cushion::Arc(arc));
     }
-    let expected = few(&scene, 20);
-    let (states, census) = play(&scene, 20, 2, 5);
-    assert_close(&expected, &states, "pegs");
+    assert_nearly(&scene, 20, 0.05);
+    let (_, census) = play(&scene, 20, 2);
     assert!(census.cushions > 0);
 }

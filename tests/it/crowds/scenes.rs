@@ -21,13 +21,21 @@ fn a_rack_of_5050_is_opened_by_one_ball() {
     // It takes the ball 72 ticks to reach the rack.
     stepping::step(&mut app, 180);
     let census = app.world().resource::<Census>().clone();
-    let still = stepping::states(&mut app)
-        .iter()
-        .filter(|state| state.motion.is_still())
-        .count();
+    // The blow runs along the lines of the lattice to the far edge; what is not on its way stays where it is.
+    let states = stepping::states(&mut app);
+    let moved = |i: &usize| (states[*i].position - scene.balls[*i].state.position).length() > 1e-3;
+    let (all, far) = (
+        (1..5051).filter(moved).count(),
+        (4951..5051).filter(moved).count(),
+    );
+    assert!(census.contacts_in_all > 400, "{census:?}");
     assert!(
-        census.contacts_in_all > 5050 && still < 2500,
-        "{still} still, {census:?}"
+        (200..2500).contains(&all) && far > 1,
+        "{all} moved, {far} in the last row"
+    );
+    assert!(
+        census.overlap < 0.01 * 2.0 * scene.balls[0].ball.radius,
+        "{census:?}"
     );
     let before = 0.5 * scene.balls[0].ball.mass * 20.0 * 20.0;
     assert!((census.energy / before - 1.0).abs() < 1e-9, "{census:?}");

@@ -39,6 +39,12 @@ pub(super) trait Body: Copy + Send + Sync + 'static {
     /// The same ball on the same piece, on a clock that began at `at`.
     fn rebased(&self, ball: &Ball, at: f64) -> Self;
 
+    /// Two smooth balls after they met, if that can be told without their whole states: the law
+    /// [`Frictionless`](crate::physics::laws::ball_ball::Frictionless) for equal balls. A test holds that they agree.
+    fn collide(_: [&Self; 2], _at: f64, _restitution: f64) -> Option<[Self; 2]> {
+        None
+    }
+
     /// Whether the centre moves.
     fn translates(&self) -> bool;
 
@@ -129,6 +135,19 @@ impl Body for Gliding {
             origin: self.position(at),
             velocity: self.velocity,
         }
+    }
+
+    #[inline]
+    fn collide([one, other]: [&Self; 2], at: f64, restitution: f64) -> Option<[Self; 2]> {
+        let offset = other.position(at) - one.position(at);
+        let closing = (one.velocity - other.velocity).dot(offset);
+        // Half of what the pair loses along the line of centres, for each of two equal masses.
+        let change = (0.5 * (1.0 + restitution) * closing / offset.length_squared()) * offset;
+        let turn = |body: &Self, change: DVec2| Self {
+            origin: body.origin - at * change,
+            velocity: body.velocity + change,
+        };
+        Some([turn(one, -change), turn(other, change)])
     }
 
     #[inline]

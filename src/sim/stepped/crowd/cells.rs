@@ -1,50 +1,51 @@
 //! The cells of a crowd, and what of a ball lies in them.
 
 use glam::DVec2;
-use wide::f32x4;
 
-/// A ball in its cell, 16 bytes: what tells that two balls are too far from each other to meet in this tick. In f32, with
-/// room for the rounding in `free`, so that no pair is missed.
+use crate::sim::stepped::crowd::rows::Lanes;
+
+/// A ball on its way into its cell.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Record {
     /// The middle of the path of this tick, m.
     pub x: f32,
     pub z: f32,
-    /// How far the ball may get from there, contacts and all, before more than its links must be looked at, m. Not a
-    /// number if it is too fast for its cell.
-    pub free: f32,
-    /// Slot of the ball; with [`CAUGHT`] its place among the caught.
+    /// How far it moves in this tick along x and z if nothing happens, m.
+    pub dx: f32,
+    pub dz: f32,
+    /// Slot of the ball; with [`MARKED`] one that may do more than move on.
     pub ball: u32,
 }
 
-/// Marks a ball whose path is being worked on.
-pub(super) const CAUGHT: u32 = 1 << 31;
-/// Marks, while records are sorted, a ball that may do more than move on: meet a cushion or change its kind of motion.
+/// Marks a ball that is on another path than the one it began the tick on: the rest is its place among those.
+pub(super) const TURNED: u32 = 1 << 31;
+/// Marks, while records are sorted, a ball that may do more than move on: meet a cushion, change its kind of motion, or
+/// get further than its cell allows.
 pub(super) const MARKED: u32 = 1 << 31;
-
-/// Added to lengths in f32 that must not become too short by rounding; a share.
-const ROUNDING: f64 = 1e-6;
-/// A step of an f32 near 1.
-const STEP: f32 = f32::EPSILON;
 
 impl Record {
     #[inline]
-    pub fn new(middle: DVec2, free: f32, ball: u32) -> Self {
-        let (x, z) = (middle.x as f32, middle.y as f32);
+    pub fn new(middle: DVec2, way: DVec2, ball: u32) -> Self {
         Self {
-            x,
-            z,
-            free: free * (1.0 + 4.0 * STEP) + STEP * (x.abs() + z.abs()),
+            x: middle.x as f32,
+            z: middle.y as f32,
+            dx: way.x as f32,
+            dz: way.y as f32,
             ball,
         }
     }
 
-    /// How far a ball with this record gets from its middle on a leg that stays this near to this place, m.
+    /// Where the ball begins the tick along x and z, and how far it gets in it, m.
     #[inline]
-    pub fn wander(&self, middle: DVec2, extent: f64) -> f32 {
-        let (dx, dz) = (middle.x - f64::from(self.x), middle.y - f64::from(self.z));
-        let wander = roomy((dx * dx + dz * dz).sqrt() + extent);
-        wander + 4.0 * STEP * (self.x.abs() + self.z.abs())
+    pub fn path(&self) -> [f32; 4] {
+        let (x, z) = (self.x - 0.5 * self.dx, self.z - 0.5 * self.dz);
+        [x, z, self.dx, self.dz]
+    }
+
+    /// The middle of the path, m.
+    #[inline]
+    pub fn middle(&self) -> DVec2 {
+        DVec2::new(f64::from(self.x), f64::from(self.z))
     }
 }
 
@@ -54,23 +55,20 @@ pub(super) struct Sorted {
     /// Index of the first record of each cell, and the number of all.
     pub first: Vec<u32>,
     pub records: Vec<Record>,
-    /// The slot of each ball.
-    pub slots: Vec<u32>,
-    /// For each ball its last link to a ball near it.
-    heads: Vec<u32>,
+    pub lanes: Lanes,
+    /// The slot of each ball; with [`TURNED`] its place among those that are on another path.
+    pub balls: Vec<u32>,
+    /// Whether something waits for a ball that is not due yet.
+    pub held: Vec<bool>,
 }
 
 impl Sorted {
-    /// Makes room for so many records, without links.
+    /// Makes room for so many records.
     pub fn resize(&mut self, count: usize) {
-        self.records.resize(count, Record::new(DVec2::ZERO, 0.0, 0));
-        self.unlink();
-    }
-
-    /// Forgets all links.
-    pub fn unlink(&mut self) {
-        self.heads.clear();
-        self.heads.resize(self.records.len(), END);
+        self.records
+            .resize(count, Record::new(DVec2::ZERO, DVec2::ZERO, 0));
+        // Nothing waits any more when a tick is over.
+        self.held.resize(count, false);
     }
 
     /// Sorts each row of so many cells.
@@ -84,158 +82,34 @@ impl Sorted {
                     row[at] = row[at - 1];
                     at -= 1;
                 }
-                row[at] = record;
+                if at < k {
+                    row[at] = record;
+                }
             }
         }
     }
 
-    /// Takes a record away: nothing is near it any more.
+    /// Takes what the records tell into lists.
+    pub fn list(&mut self) {
+        self.lanes.fill(&self.records);
+        self.balls.clear();
+        self.balls
+            .extend(self.records.iter().map(|record| record.ball));
+    }
+
+    /// Places of a row of so many cells.
+    #[inline]
+    pub fn row(&self, row: usize, columns: usize) -> [u32; 2] {
+        if self.records.is_empty() {
+            return [0; 2];
+        }
+        [self.first[row * columns], self.first[(row + 1) * columns]]
+    }
+
+    /// Takes a ball away: nothing is near it any more.
     pub fn clear(&mut self, at: usize) {
-        self.records[at].z = f32::INFINITY;
-        self.records[at].free = 0.0;
+        self.lanes.set(at, Lanes::NOBODY);
     }
-}
-
-/// A ball near another, and the next of these.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Link {
-    pub place: u32,
-    pub next: u32,
-}
-
-/// No more links.
-pub(super) const END: u32 = u32::MAX;
-
-impl Sorted {
-    /// Links the ball at an index to one at a place.
-    #[inline]
-    pub fn link(&mut self, at: usize, place: u32, links: &mut Vec<Link>) {
-        let next = std::mem::replace(&mut self.heads[at], links.len() as u32);
-        links.push(Link { place, next });
-    }
-
-    /// The last link of a ball.
-    #[inline]
-    pub fn head(&self, at: usize) -> u32 {
-        self.heads[at]
-    }
-}
-
-/// Records compared at a time.
-const LANES: usize = 4;
-
-/// A row of records, each number in its own list, so that several are compared at once.
-#[derive(Debug, Default)]
-pub(super) struct Row {
-    x: Vec<f32>,
-    z: Vec<f32>,
-    free: Vec<f32>,
-    count: usize,
-}
-
-impl Row {
-    /// Takes a row of records sorted by `x`.
-    pub fn fill(&mut self, records: &[Record]) {
-        self.count = records.len();
-        for (list, end) in [
-            (&mut self.x, f32::INFINITY),
-            (&mut self.z, 0.0),
-            (&mut self.free, 0.0),
-        ] {
-            list.clear();
-            list.resize(records.len() + LANES, end);
-        }
-        let lists = self.x.iter_mut().zip(&mut self.z).zip(&mut self.free);
-        for (((x, z), free), record) in lists.zip(records) {
-            (*x, *z, *free) = (record.x, record.z, record.free);
-        }
-    }
-
-    /// Takes, from index `from` on, every record that may come within `wide` m of this one; none that is further away
-    /// along `x` than `edge` can.
-    #[inline]
-    fn near(
-        &self,
-        from: usize,
-        record: &Record,
-        wide: f32,
-        edge: f32,
-        mut take: impl FnMut(usize),
-    ) {
-        let (x, z, most) = (
-            f32x4::splat(record.x),
-            f32x4::splat(record.z),
-            f32x4::splat(wide),
-        );
-        let last = record.x + edge;
-        let four = |list: &[f32], at: usize| {
-            let mut four = [0.0; LANES];
-            four.copy_from_slice(&list[at..at + LANES]);
-            f32x4::new(four)
-        };
-        let mut at = from;
-        loop {
-            let (dx, dz) = (four(&self.x, at) - x, four(&self.z, at) - z);
-            let most = four(&self.free, at) + most;
-            let mut bits = (dx * dx + dz * dz).simd_lt(most * most).to_bitmask();
-            while bits != 0 {
-                take(at + bits.trailing_zeros() as usize);
-                bits &= bits - 1;
-            }
-            at += LANES;
-            // Beyond the end is infinity.
-            if self.x[at - 1] > last {
-                return;
-            }
-        }
-    }
-
-    /// Takes the pairs of this row with itself that may come within `reach` m. No ball gets further than `most`.
-    pub fn pairs(
-        &self,
-        records: &[Record],
-        reach: f32,
-        most: f32,
-        mut take: impl FnMut(usize, usize),
-    ) {
-        for (i, record) in records.iter().enumerate() {
-            let edge = edge(reach, most, record.x);
-            self.near(i + 1, record, reach + record.free, edge, |k| take(i, k));
-        }
-    }
-
-    /// Takes the pairs of a row of records with this row.
-    pub fn pairs_with(
-        &self,
-        records: &[Record],
-        reach: f32,
-        most: f32,
-        mut take: impl FnMut(usize, usize),
-    ) {
-        let mut low = 0;
-        for (i, record) in records.iter().enumerate() {
-            let edge = edge(reach, most, record.x);
-            while self.x[low] < record.x - edge {
-                low += 1;
-            }
-            if low >= self.count {
-                return;
-            }
-            self.near(low, record, reach + record.free, edge, |k| take(i, k));
-        }
-    }
-}
-
-/// The largest distance along x of two linked balls, with room for rounding.
-#[inline]
-fn edge(reach: f32, most: f32, x: f32) -> f32 {
-    (reach + 2.0 * most) * (1.0 + 1e-5) + 1e-6 * x.abs()
-}
-
-/// A length in f32 that is not shorter than this.
-#[inline]
-pub(super) fn roomy(length: f64) -> f32 {
-    (length * (1.0 + ROUNDING)) as f32
 }
 
 /// How the table is cut. Cells at the edge reach to infinity.
@@ -297,6 +171,9 @@ const COUNTED: f64 = 4_503_599_627_370_496.0;
 /// cost of a cast.
 #[inline]
 fn index(at: f64, count: usize) -> usize {
-    let at = (at - 0.5).max(0.0).min((count - 1) as f64);
+    let (at, last) = (at - 0.5, (count - 1) as f64);
+    // Not `max` and `min`, which look after numbers that are none.
+    let at = if at > 0.0 { at } else { 0.0 };
+    let at = if at < last { at } else { last };
     (at + COUNTED).to_bits() as u32 as usize
 }

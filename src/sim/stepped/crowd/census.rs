@@ -58,8 +58,9 @@ pub struct Census {
     pub speed: f64,
     /// Parts the tick was cut into, so that no ball moves much further than a diameter or two at a time.
     pub parts: u32,
-    /// Times that a cluster of contacts had to be followed again, because it turned out to be tied to another.
-    pub repeated: u64,
+    /// Contacts since the scene was laid out that were not seen in time, because a ball was turned towards one whose next
+    /// contact had been resolved already: the two balls were set apart where that showed.
+    pub late: u64,
     /// Balls that met so many others in the tick that from then on they no longer bounced and met them in fixed short
     /// intervals: the scene is denser than the solver keeps apart, and [`Self::overlap`] says by how much.
     pub saturated: u64,
@@ -75,7 +76,7 @@ pub(super) struct Tally {
     pub cushions: u64,
     pub saturated: u64,
     pub overlap: f64,
-    pub repeated: u64,
+    pub late: u64,
     /// Square of the largest speed, and sum of squares.
     pub speed: f64,
     pub squares: f64,
@@ -98,7 +99,7 @@ impl Tally {
         self.cushions += other.cushions;
         self.saturated += other.saturated;
         self.overlap = self.overlap.max(other.overlap);
-        self.repeated += other.repeated;
+        self.late += other.late;
         self.squares += other.squares;
         self.stopped += other.stopped;
         self.speed = self.speed.max(other.speed);

@@ -13,7 +13,7 @@ use crate::physics::ball::{Ball, State};
 use crate::physics::laws::motion::MotionLaw;
 use crate::physics::roots::RootError;
 use crate::sim::stepped::crowd::body::Body;
-use crate::sim::stepped::crowd::cells::{Cells, Record};
+use crate::sim::stepped::crowd::cells::Cells;
 use crate::sim::stepped::crowd::census::{Pass, Sums, Tally};
 use crate::sim::stepped::crowd::search::{Scratch, Solver};
 use crate::sim::stepped::crowd::share::share;
@@ -42,8 +42,6 @@ pub(super) struct Field<B> {
     /// Mean square speed, and the largest, m²/s².
     pub mean_square: f64,
     pub speed: f64,
-    /// How far the balls at rest may get by a contact before more than their links must be looked at, m.
-    pub still_spare: f64,
     /// Moving balls that had no speed in the last tick.
     stopped: usize,
 }
@@ -57,8 +55,6 @@ const REBASE_AFTER: u32 = 256;
 /// Balls that get further than this many times the root of the mean square are looked after one by one: with the speeds
 /// of a gas one in a hundred and fifty.
 const CUT: f64 = 2.2;
-/// What is left to balls that are met, as a share of the cut.
-const SPARE: f64 = 0.5;
 /// Least room in a cell beyond a diameter, in radii.
 const ROOM: f64 = 0.3;
 
@@ -83,7 +79,6 @@ impl<B: Body> Field<B> {
             work: 0,
             mean_square: 0.0,
             speed: 0.0,
-            still_spare: 0.0,
             stopped: 0,
         }
     }
@@ -141,13 +136,7 @@ impl<B: Body> Field<B> {
     }
 
     /// Advances all balls by a stretch of time.
-    pub fn advance(
-        &mut self,
-        stretch: &Stretch,
-        cell: Option<DVec2>,
-        threads: usize,
-        stripes: usize,
-    ) -> Tally {
+    pub fn advance(&mut self, stretch: &Stretch, cell: Option<DVec2>, threads: usize) -> Tally {
         let mut lap = Instant::now();
         let mut tally = Tally::default();
         let length = stretch.end - stretch.start;
@@ -159,7 +148,7 @@ impl<B: Body> Field<B> {
             || (cell.is_none()
                 && self.reach(stretch, cut) * self.cells.per_cell.max_element() > 1.0 + 1e-6);
         if self.stripes.is_empty() || overdue {
-            self.sort(stretch, cell, stripes, cut);
+            self.sort(stretch, cell, cut);
         } else if self.ticks >= REBASE_AFTER {
             self.rebase(stretch);
         }
@@ -171,14 +160,10 @@ impl<B: Body> Field<B> {
                 self.now + length
             },
         );
-        let spare = Self::spare(cut);
-        let most = (cut + spare).max(self.still_spare) * (1.0 + 1e-6);
         let stretch = Stretch {
             start,
             end,
             cut,
-            spare,
-            most,
             cells: self.cells,
             ..*stretch
         };
@@ -210,15 +195,9 @@ impl<B: Body> Field<B> {
         usual.max(0.5 * ROOM * stretch.ball.radius)
     }
 
-    /// How much further a ball may get by a contact before more than its links must be looked at, m.
-    pub fn spare(cut: f64) -> f64 {
-        SPARE * cut
-    }
-
     /// How far the centres of two balls can be from each other in the middle of their paths, and meet.
     pub fn reach(&self, stretch: &Stretch, cut: f64) -> f64 {
-        let most = (cut + Self::spare(cut)).max(self.still_spare);
-        (stretch.reach() + 2.0 * most) * (1.0 + 1e-5)
+        (stretch.reach() + 2.0 * cut) * (1.0 + 1e-4)
     }
 
     /// Sorts the records of all moving balls by cell.
@@ -269,13 +248,14 @@ impl<B: Body> Field<B> {
             stripe.tally.time(Pass::Grid, &mut lap);
             let index = stripe.index;
             let stripes = std::slice::from_mut(stripe);
-            let mut solver = Solver::new(stretch, (stripes, index, all), truth, fastest, scratch);
+            let mut solver =
+                Solver::<B, false>::new(stretch, (stripes, index, all), truth, fastest, scratch);
             solver.work_through(span, scratch);
             solver.finish(scratch);
         });
         let mut lap = Instant::now();
         let scratch = &mut self.scratch[0];
-        let mut solver = Solver::new(
+        let mut solver = Solver::<B, true>::new(
             stretch,
             (&mut self.stripes, 0, all),
             truth,
@@ -284,8 +264,10 @@ impl<B: Body> Field<B> {
         );
         if all > 1 {
             solver.begin_across(span, scratch);
+            solver.gather();
+            solver.look_beyond();
+            solver.resolve(None);
         }
-        solver.solve_wide();
         solver.finish(scratch);
         self.stripes[0].tally.time(Pass::Resolve, &mut lap);
     }
@@ -296,7 +278,7 @@ impl<B: Body> Field<B> {
         failures.min_by_key(|(number, _)| *number)
     }
 
-    /// Puts the balls that were caught on their last legs.
+    /// Puts the balls that were turned on their last paths.
     fn commit(&mut self, threads: usize) {
         let mut rest = &mut self.bodies[..];
         let mut homes = Vec::with_capacity(self.stripes.len());
@@ -312,21 +294,11 @@ impl<B: Body> Field<B> {
         );
         for stripe in &mut self.stripes {
             for id in std::mem::take(&mut stripe.foreign) {
-                let ball = stripe.caught[id as usize];
-                let slot = ball.slot as usize;
-                self.bodies[slot] = stripe.legs[ball.last as usize].body;
+                let ball = stripe.turned[id as usize];
+                self.bodies[ball.slot as usize] = ball.leg.body;
                 if ball.place & place::STILL != 0 {
-                    let (still, index) = (&mut stripe.still, place::index(ball.place));
-                    if ball.last == ball.first {
-                        still.records[index] = Record::new(
-                            self.bodies[slot].position(self.now),
-                            self.still_spare as f32,
-                            ball.slot,
-                        );
-                    } else {
-                        still.clear(index);
-                        self.woken.push(ball.slot);
-                    }
+                    stripe.still.clear(place::index(ball.place));
+                    self.woken.push(ball.slot);
                 }
             }
         }

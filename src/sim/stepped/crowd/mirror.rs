@@ -62,18 +62,21 @@ pub(in crate::sim::stepped) fn take_up(
     playfield: Res<Playfield>,
     clock: Res<Clock>,
     balls: Read,
+    ticks: SystemChangeTick,
     mut failed: MessageWriter<Failed>,
 ) {
-    let written = crowd.written.filter(|_| !playfield.is_changed());
-    if written.is_some_and(|tick| is_untouched(&balls, tick)) {
+    let now = ticks.this_run();
+    let seen = crowd.seen.filter(|_| !playfield.is_changed());
+    if seen.is_some_and(|seen| is_untouched(&balls, seen, now)) {
         return;
     }
-    match read(&crowd, &balls) {
+    match read(&crowd, &balls, now) {
         Ok((ball, states)) => {
             census.balls = states.len();
             census.contacts_in_all = 0;
-            census.repeated = 0;
+            census.late = 0;
             crowd.lay_out(&playfield, ball, &states);
+            crowd.seen = Some(now);
         }
         Err(reason) => {
             failed.write(Failed {
@@ -84,8 +87,8 @@ pub(in crate::sim::stepped) fn take_up(
     }
 }
 
-fn is_untouched(balls: &Read, written: Tick) -> bool {
-    let untouched = |ticks: &[Tick]| ticks.iter().all(|tick| *tick == written);
+fn is_untouched(balls: &Read, seen: Tick, now: Tick) -> bool {
+    let untouched = |ticks: &[Tick]| ticks.iter().all(|tick| !tick.is_newer_than(seen, now));
     balls.contiguous_iter().is_ok_and(|mut tables| {
         tables.all(|(_, position, velocity, spin, _, _, motion)| {
             untouched(position.changed_ticks_slice())
@@ -97,12 +100,12 @@ fn is_untouched(balls: &Read, written: Tick) -> bool {
 }
 
 /// The constants of every ball, and the states of those in play.
-fn read(crowd: &Crowd, balls: &Read) -> Result<(Ball, Vec<(u32, State)>), String> {
+fn read(crowd: &Crowd, balls: &Read, now: Tick) -> Result<(Ball, Vec<(u32, State)>), String> {
     let mut every: Option<Ball> = None;
     let mut states = Vec::with_capacity(balls.iter().len());
     for (index, position, velocity, spin, mass, radius, motion) in balls {
-        let touched = crowd.written != Some(velocity.last_changed())
-            || crowd.written != Some(position.last_changed());
+        let is_new = |tick: Tick| crowd.seen.is_none_or(|seen| tick.is_newer_than(seen, now));
+        let touched = is_new(velocity.last_changed()) || is_new(position.last_changed());
         let (ball, mut state) =
             ball_and_state(&position, &velocity, spin.as_deref(), mass, radius, &motion);
         if crowd.behind && !touched {
@@ -166,7 +169,7 @@ pub(in crate::sim::stepped) fn write(
         }
         crowd.behind = false;
         crowd.asked = false;
-        crowd.written = Some(ticks.this_run());
+        crowd.seen = Some(ticks.this_run());
     }
 }
 

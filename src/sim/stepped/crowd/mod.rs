@@ -2,26 +2,30 @@
 //!
 //! The systems of a tick are the same and so are the laws; what differs is where the data lie. The grid resource
 //! [`Crowd`] holds the balls packed, near what they are near, and works on stripes of the table on all threads. Contacts
-//! are located inside the tick and resolved in order of time, exactly as for few balls. There is one solution, whoever
-//! computes it: the same bits with any cells and on any number of threads.
+//! are located inside the tick and resolved in order of time but for a few in a thousand, which the census counts. The same bits on
+//! any number of threads.
 //!
 //! A crowd tells nothing ball by ball: no messages of contacts and no record, only the numbers of its [`Census`]. Its
 //! balls are equal, stay on the slate and know no pockets. Everything else plays in the general solver.
 
-mod ahead;
 mod begin;
 mod body;
-mod caught;
+mod calendar;
 mod cells;
 mod census;
-mod cluster;
 mod field;
+mod look;
 mod mirror;
 mod order;
+mod queue;
+mod rows;
 mod search;
 mod settle;
 mod share;
 mod stripe;
+#[cfg(test)]
+mod tests;
+mod turned;
 mod walls;
 
 pub use census::{Census, Pass};
@@ -61,16 +65,13 @@ pub struct Crowd {
     ball: Option<Ball>,
     /// Whether any ball moves.
     moves: bool,
-    /// When the components were last written.
-    written: Option<ChangeTick>,
+    /// When the components were last taken up or written.
+    seen: Option<ChangeTick>,
     /// Whether the balls have moved since.
     behind: bool,
     asked: bool,
     /// Threads to use; absent is all that Bevy has for computing, and the one that waits for them.
     pub threads: Option<usize>,
-    /// Stripes that the table is cut into, each worked on by itself; absent is one for each thread. The result does not
-    /// depend on it.
-    pub stripes: Option<usize>,
     /// When the components are written.
     pub mirror: Mirror,
 }
@@ -82,11 +83,10 @@ impl Default for Crowd {
             walls: Walls::default(),
             ball: None,
             moves: true,
-            written: None,
+            seen: None,
             behind: false,
             asked: false,
             threads: None,
-            stripes: None,
             mirror: Mirror::default(),
         }
     }
@@ -152,7 +152,6 @@ impl Crowd {
                 .grid
                 .map(|(columns, rows)| size / DVec2::new(f64::from(columns), f64::from(rows))),
             threads,
-            stripes: self.stripes.unwrap_or(threads),
         };
         let stretch = Stretch {
             laws: &playfield.laws,
@@ -163,8 +162,6 @@ impl Crowd {
             start: 0.0,
             end: 0.0,
             cut: 0.0,
-            spare: 0.0,
-            most: 0.0,
             bend: bend(&playfield.laws),
         };
         census.times = Default::default();
@@ -177,7 +174,7 @@ impl Crowd {
         census.contacts_in_all += tally.met;
         census.cushions = tally.cushions;
         census.overlap = tally.overlap;
-        census.repeated += tally.repeated;
+        census.late += tally.late;
         census.saturated = tally.saturated;
         census.times = tally.times;
         Ok(())
@@ -198,7 +195,6 @@ struct Tick {
     /// Size of a cell in m; fitted to balls and speeds where absent.
     cell: Option<DVec2>,
     threads: usize,
-    stripes: usize,
 }
 
 /// Runs a tick, in parts where balls are fast.
@@ -216,7 +212,7 @@ fn run<B: Body>(
         let count = (most * left / reach).ceil().max(1.0);
         let end = if count > 1.0 { left / count } else { left };
         let part = Stretch { end, ..*stretch };
-        let tally = field.advance(&part, tick.cell, tick.threads, tick.stripes);
+        let tally = field.advance(&part, tick.cell, tick.threads);
         if let Some(failure) = field.failure() {
             return Err(failure);
         }

@@ -3,15 +3,19 @@
 use glam::DVec2;
 
 use crate::sim::stepped::crowd::body::Body;
-use crate::sim::stepped::crowd::cells::{CAUGHT, Cells};
+use crate::sim::stepped::crowd::cells::{Cells, TURNED};
 use crate::sim::stepped::crowd::field::Field;
 use crate::sim::stepped::crowd::stripe::{Stretch, Stripe, place};
 
+/// Most stripes, unless there are more balls than they can hold.
+const STRIPES: usize = 8;
+/// Least rows of a stripe.
+const ROWS: usize = 24;
+
 impl<B: Body> Field<B> {
     /// Sorts the balls by cell, those that move and those that do not.
-    pub fn sort(&mut self, stretch: &Stretch, cell: Option<DVec2>, stripes: usize, cut: f64) {
+    pub fn sort(&mut self, stretch: &Stretch, cell: Option<DVec2>, cut: f64) {
         let table = DVec2::new(stretch.table.length, stretch.table.width);
-        self.still_spare = Self::spare(cut);
         let reach = self.reach(stretch, cut) * 1.05;
         // Far more cells than balls would only cost memory.
         let least = (table.x * table.y / (4 * self.bodies.len() + 1024) as f64).sqrt();
@@ -28,7 +32,7 @@ impl<B: Body> Field<B> {
             .collect();
         let count = cells.columns * cells.rows;
         let mut first = vec![0_u32; 2 * count + 1];
-        let index = |key: u32| (key & !CAUGHT) as usize + (key >> 31) as usize * count;
+        let index = |key: u32| (key & !TURNED) as usize + (key >> 31) as usize * count;
         for key in &keys {
             first[index(*key) + 1] += 1;
         }
@@ -57,15 +61,15 @@ impl<B: Body> Field<B> {
         self.moving = starts[count] as usize;
         self.woken.clear();
         (self.now, self.ticks, self.work) = (0.0, 0, 0);
-        self.cut_stripes(&starts, stripes);
+        self.cut_stripes(&starts);
         self.sort_still();
     }
 
-    /// Cuts the table into stripes with about as many balls each.
-    fn cut_stripes(&mut self, first: &[u32], stripes: usize) {
+    /// Cuts the table into stripes with about as many balls each; how many does not depend on threads.
+    fn cut_stripes(&mut self, first: &[u32]) {
         let (columns, rows) = (self.cells.columns, self.cells.rows);
-        let enough = self.bodies.len() >> 22;
-        let stripes = stripes.max(enough + 1).min(place::STRIPES).min(rows);
+        let enough = self.bodies.len() >> place::BITS;
+        let stripes = (rows / ROWS).clamp(1, STRIPES).max(enough + 1).min(rows);
         self.stripes.clear();
         let (mut row, mut slot) = (0, 0);
         for index in 0..stripes {
@@ -99,7 +103,7 @@ impl<B: Body> Field<B> {
                 balls.push((self.bodies[slot].position(0.0), slot as u32));
                 slot += 1;
             }
-            stripe.sort_still(&self.cells, self.still_spare, &balls);
+            stripe.sort_still(&self.cells, &balls);
         }
     }
 

@@ -1,6 +1,6 @@
 //! Finding what meets: the memory of a solver, and its questions.
 
-use std::collections::BinaryHeap;
+use std::cell::Cell;
 
 use glam::DVec2;
 
@@ -8,10 +8,11 @@ use crate::physics::contact;
 use crate::physics::roots::RootError;
 use crate::physics::table::Cushion;
 use crate::sim::stepped::crowd::body::{Body, track};
-use crate::sim::stepped::crowd::caught::{Contact, Kind, Leg, NONE};
-use crate::sim::stepped::crowd::cells::{CAUGHT, Row, roomy};
+use crate::sim::stepped::crowd::calendar::Calendar;
 use crate::sim::stepped::crowd::census::Tally;
+use crate::sim::stepped::crowd::rows::Near;
 use crate::sim::stepped::crowd::stripe::{Stretch, Stripe, place};
+use crate::sim::stepped::crowd::turned::{Contact, Kind, Leg, turned};
 use crate::sim::stepped::resolve::{BOUNCES, IMPACTS};
 
 /// What is added to distances before they are compared, for rounding; a share.
@@ -23,17 +24,14 @@ const RATTLES: f64 = 16.0;
 /// Memory that is kept from tick to tick.
 #[derive(Debug, Default)]
 pub(super) struct Scratch {
-    queue: BinaryHeap<Contact>,
-    near: Vec<u32>,
     pub close: Vec<[u32; 2]>,
-    pub likely: Vec<[u32; 2]>,
-    pub lanes: Vec<Row>,
-    /// The rows before this one are in `lanes`.
-    pub filled: usize,
+    list: Vec<(usize, u32)>,
+    queue: Calendar,
+    held: Vec<Contact>,
 }
 
-/// Follows the clusters of some stripes, one next to the other.
-pub(super) struct Solver<'a, B> {
+/// Finds and resolves the contacts of all stripes, or, if it is not `WIDE`, of one.
+pub(super) struct Solver<'a, B, const WIDE: bool> {
     pub stretch: &'a Stretch<'a>,
     pub stripes: &'a mut [Stripe<B>],
     /// Index of the first of these stripes.
@@ -45,18 +43,19 @@ pub(super) struct Solver<'a, B> {
     /// How far fast balls get, m.
     pub fastest: f64,
     pub wander: f64,
-    pub queue: BinaryHeap<Contact>,
-    /// Places near one that is looked at.
-    pub near: Vec<u32>,
-    /// The pairs of all rows before this one are linked.
-    pub begun: usize,
-    /// Whether a cluster reaches beyond these stripes.
-    pub outside: bool,
-    /// Contacts with balls, with cushions, and balls that no longer bounce, of the cluster that is followed.
-    pub count: [u32; 3],
+    /// What is near balls that are looked at.
+    pub list: Vec<(usize, u32)>,
+    pub near: Near,
+    /// Ticks a second.
+    pub per_second: f64,
+    /// Contacts that wait for their turn, and those that wait for something beyond what is known.
+    pub queue: Calendar,
+    pub held: Vec<Contact>,
+    /// Square of the least distance of two balls at the start, m².
+    nearest: Cell<f64>,
 }
 
-impl<'a, B: Body> Solver<'a, B> {
+impl<'a, B: Body, const WIDE: bool> Solver<'a, B, WIDE> {
     pub fn new(
         stretch: &'a Stretch,
         (stripes, base, all): (&'a mut [Stripe<B>], usize, usize),
@@ -64,53 +63,88 @@ impl<'a, B: Body> Solver<'a, B> {
         fastest: f64,
         scratch: &mut Scratch,
     ) -> Self {
+        scratch.queue.open(stretch.start, stretch.end);
         let wander = stripes.iter().map(|stripe| stripe.wander);
-        let wander = wander.fold(stretch.most, f64::max);
+        let wander = wander.fold(stretch.cut, f64::max);
         Self {
             stretch,
             base,
             all,
             bodies,
             numbers,
-            fastest: (fastest + stretch.spare).max(stretch.most),
+            fastest,
             wander,
+            list: std::mem::take(&mut scratch.list),
+            near: stretch.near(),
+            per_second: 1.0 / (stretch.end - stretch.start),
             queue: std::mem::take(&mut scratch.queue),
-            near: std::mem::take(&mut scratch.near),
-            begun: usize::MAX,
-            outside: false,
-            count: [0; 3],
+            held: std::mem::take(&mut scratch.held),
+            nearest: Cell::new(f64::INFINITY),
             stripes,
         }
     }
 
     /// Gives the memory back.
-    pub fn finish(self, scratch: &mut Scratch) {
+    pub fn finish(mut self, scratch: &mut Scratch) {
         self.stripes[0].wander = self.wander;
+        let overlap = self.stretch.reach() - self.nearest.get().sqrt();
+        let tally = self.tally();
+        tally.overlap = tally.overlap.max(overlap);
+        scratch.list = self.list;
         scratch.queue = self.queue;
-        scratch.near = self.near;
-    }
-
-    pub fn is_whole(&self) -> bool {
-        self.stripes.len() == self.all
+        scratch.held = self.held;
     }
 
     pub fn tally(&mut self) -> &mut Tally {
         &mut self.stripes[0].tally
     }
 
-    /// Slot of the ball at a place.
-    #[inline]
-    pub fn slot(&self, at: u32) -> usize {
-        let stripe = &self.stripes[place::stripe(at) - self.base];
-        stripe.sorted(at).slots[place::index(at)] as usize
+    #[inline(always)]
+    pub fn stripe(&self, at: u32) -> &Stripe<B> {
+        if WIDE {
+            &self.stripes[place::stripe(at)]
+        } else {
+            &self.stripes[0]
+        }
     }
 
-    /// Slot of the ball at a place, or, with true, its place among the caught.
+    #[inline(always)]
+    pub fn stripe_mut(&mut self, at: u32) -> &mut Stripe<B> {
+        if WIDE {
+            &mut self.stripes[place::stripe(at)]
+        } else {
+            &mut self.stripes[0]
+        }
+    }
+
+    /// The path that the ball at a place is on.
+    #[inline(always)]
+    pub fn leg(&self, at: u32) -> Leg<B> {
+        let stripe = self.stripe(at);
+        let ball = stripe.sorted(at).balls[place::index(at)];
+        match turned(ball) {
+            Some(id) => stripe.turned[id].leg,
+            None => Leg {
+                body: self.bodies[ball as usize],
+                from: self.stretch.start,
+                impacts: 0,
+                turns: 0,
+            },
+        }
+    }
+
+    /// Slot of the ball at a place.
     #[inline]
-    pub fn held(&self, at: u32) -> (u32, bool) {
-        let stripe = &self.stripes[place::stripe(at) - self.base];
-        let ball = stripe.sorted(at).records[place::index(at)].ball;
-        (ball & !CAUGHT, ball & CAUGHT != 0)
+    pub fn slot(&self, at: u32) -> u32 {
+        let stripe = self.stripe(at);
+        let ball = stripe.sorted(at).balls[place::index(at)];
+        turned(ball).map_or(ball, |id| stripe.turned[id].slot)
+    }
+
+    /// Index in the scene of the ball at a place.
+    #[inline]
+    pub fn number(&self, at: u32) -> u32 {
+        self.numbers[self.slot(at) as usize]
     }
 
     /// The stripe of a row, as an index of `stripes`; `None` if it is not among them.
@@ -121,39 +155,16 @@ impl<'a, B: Body> Solver<'a, B> {
             .position(|stripe| stripe.rows.contains(&row))
     }
 
-    /// Links the balls of pairs both ways.
-    pub fn link(&mut self, close: &[[u32; 2]]) {
-        for &[one, other] in close {
-            for (one, other) in [(one, other), (other, one)] {
-                let stripe = &mut self.stripes[place::stripe(one) - self.base];
-                let sorted = if one & place::STILL == 0 {
-                    &mut stripe.moving
-                } else {
-                    &mut stripe.still
-                };
-                sorted.link(place::index(one), other, &mut stripe.links);
-            }
-        }
-    }
-
-    /// The changes of motion and the cushions that a leg leads to.
-    pub fn alone(&mut self, leg: &Leg<B>, number: u32, mut take: impl FnMut(Contact)) {
+    /// Has the changes of motion and the cushions that a leg leads to wait.
+    pub fn alone(&mut self, ball: u32, leg: &Leg<B>) {
         let Leg { body, from, .. } = leg;
         let end = self.stretch.end;
-        let contact = |time, kind, order| Contact {
-            time,
-            order,
-            ball: NONE,
-            kind,
-            legs: [NONE; 2],
-        };
         if B::BENDS && body.change() <= end {
-            let time = body.change().max(*from);
-            take(contact(time, Kind::Change, Contact::order(0, 0, number)));
+            self.wait(body.change().max(*from), ball, Kind::Change, [leg.turns, 0]);
         }
         let middle = body.position(0.5 * (from + end));
         let walls = self.stretch.walls;
-        if walls.is_clear(middle) || !body.translates() {
+        if walls.is_clear(middle) || !body.translates() || u32::from(leg.impacts) > IMPACTS {
             return;
         }
         let left = (end.min(body.change()) - from).max(0.0);
@@ -165,112 +176,98 @@ impl<'a, B: Body> Solver<'a, B> {
                 Cushion::Line(line) => contact::line(&path, line, reach, left),
                 Cushion::Arc(arc) => contact::arc(&path, arc, reach, left),
             };
-            if let Some(met) = self.found(number, met) {
-                let order = Contact::order(1, index, number);
-                take(contact(from + met, Kind::Cushion(index), order));
+            if let Some(met) = self.found(ball, met) {
+                self.wait(from + met, ball, Kind::Cushion(index), [leg.turns, 0]);
             }
         }
     }
 
-    /// When two legs meet before `end`. Seen from the moment at which the later of them begins, whoever asks and when.
-    pub fn meet(
-        &mut self,
-        (one, m): (&Leg<B>, u32),
-        (two, n): (&Leg<B>, u32),
-        end: f64,
-        impacts: u32,
-    ) -> Option<f64> {
-        let from = one.from.max(two.from);
-        let (a, b) = if m < n { (one, two) } else { (two, one) };
-        let mut left = end - from;
-        if B::BENDS {
-            if !(a.body.translates() || b.body.translates()) {
+    /// When two legs meet before the end. Where one of them began later than it should have, for a contact that was not
+    /// known, they may overlap then already: they meet at once.
+    #[inline(always)]
+    pub fn meet(&mut self, place: u32, a: &Leg<B>, b: &Leg<B>) -> Option<f64> {
+        let from = a.from.max(b.from);
+        let end = self.stretch.end;
+        let left = end - from;
+        let offset = b.body.position(from) - a.body.position(from);
+        let velocity = b.body.velocity(from) - a.body.velocity(from);
+        let square = offset.length_squared();
+        if from == self.stretch.start {
+            self.nearest.set(self.nearest.get().min(square));
+        }
+        let reach = self.stretch.reach();
+        let slope = offset.dot(velocity);
+        let met = if square < self.stretch.least_square() {
+            0.0
+        } else if B::BENDS {
+            if !self.may_meet(offset, velocity, left) {
                 return None;
             }
-            let change = a.body.change().min(b.body.change());
-            left = left.min(change - from);
-        }
-        if impacts > IMPACTS {
+            self.meet_bent(place, (a, b), from)?
+        } else {
+            straight(square - reach * reach, slope, velocity.length_squared())?
+        };
+        if met > left {
             return None;
         }
-        let paths = [track(&a.body, from), track(&b.body, from)];
-        let met = contact::pair(&paths[0], &paths[1], self.stretch.reach(), left.max(0.0));
-        let met = self.found(m.min(n), met)?;
+        let impacts = u32::from(a.impacts.max(b.impacts));
         if impacts < BOUNCES {
             return Some(from + met);
         }
         // A ball that rattles between others meets them at most so often.
-        let least = (self.stretch.end - self.stretch.start) / RATTLES;
-        Some(from + met.max(least)).filter(|time| *time <= end)
+        let least = (end - self.stretch.start) / RATTLES;
+        Some(from + met.max(least)).filter(|time| *time <= end && impacts <= IMPACTS)
     }
 
-    /// Whether a leg may meet another between `from` and `end`: most pass each other, which is told without a division
-    /// and without a root.
+    fn meet_bent(&mut self, place: u32, (a, b): (&Leg<B>, &Leg<B>), from: f64) -> Option<f64> {
+        if !(a.body.translates() || b.body.translates()) {
+            return None;
+        }
+        let change = a.body.change().min(b.body.change());
+        let left = (self.stretch.end.min(change) - from).max(0.0);
+        let paths = [track(&a.body, from), track(&b.body, from)];
+        let met = contact::pair(&paths[0], &paths[1], self.stretch.reach(), left);
+        self.found(place, met)
+    }
+
+    /// Whether two balls that bend may meet in this time: most pass each other, which is told without a division and
+    /// without a root.
     #[inline]
-    pub fn may_meet(&self, leg: &Leg<B>, other: &B, from: f64, end: f64) -> bool {
-        let left = end - from;
-        let offset = other.position(from) - leg.body.position(from);
-        let velocity = other.velocity(from) - leg.body.velocity(from);
-        let margin = if B::BENDS {
-            self.stretch.bend * left * left
-        } else {
-            0.0
-        };
-        let wide = (self.stretch.reach() + margin) * (1.0 + MARGIN);
+    fn may_meet(&self, offset: DVec2, velocity: DVec2, left: f64) -> bool {
+        // Both may bend, each by half of the acceleration times the square of the time.
+        let turn = 2.0 * self.stretch.bend * left;
+        let wide = (self.stretch.reach() + 0.5 * turn * left) * (1.0 + MARGIN);
         let gap = offset.length_squared() - wide * wide;
         let slope = offset.dot(velocity);
         let square = velocity.length_squared();
         let last = gap + left * (2.0 * slope + square * left);
         let passes = gap * square > slope * slope || -slope >= square * left;
-        gap <= 0.0 || slope < 0.0 && (last <= 0.0 || !passes)
-    }
-
-    /// Lists the places of the balls that may come within `near` m of a place; false if more may lie beyond these stripes.
-    pub fn list_near(&self, middle: DVec2, near: f64, list: &mut Vec<u32>) -> bool {
-        let cells = &self.stretch.cells;
-        let reach = (near + self.wander.max(self.fastest)) * (1.0 + MARGIN);
-        let window = cells.window(middle, reach);
-        let [left, right] = window.columns;
-        let (x, z) = (middle.x as f32, middle.y as f32);
-        let near = roomy(near) + f32::EPSILON * (x.abs() + z.abs());
-        let mut inside = true;
-        for row in window.rows[0]..=window.rows[1] {
-            let Some(index) = self.stripe_of(row) else {
-                inside = false;
-                continue;
-            };
-            let stripe = &self.stripes[index];
-            let begin = (row - stripe.rows.start) * cells.columns;
-            let mine = place::of(stripe.index, 0);
-            for (sorted, mark) in [(&stripe.moving, 0), (&stripe.still, place::STILL)] {
-                if sorted.records.is_empty() {
-                    continue;
-                }
-                let from = sorted.first[begin + left] as usize;
-                let to = sorted.first[begin + right + 1] as usize;
-                for (k, record) in (from as u32..).zip(&sorted.records[from..to]) {
-                    let (dx, dz) = (record.x - x, record.z - z);
-                    let most = near + record.free;
-                    // A fast ball, of which this is not a number, may be anywhere in the window.
-                    let is_far = dx * dx + dz * dz >= most * most;
-                    if !is_far {
-                        list.push(mine | mark | k);
-                    }
-                }
-            }
-        }
-        inside
+        let opens = slope > 0.0 && slope * slope > turn * turn * offset.length_squared();
+        !opens && (gap <= 0.0 || slope < 0.0 && (last <= 0.0 || !passes))
     }
 
     /// The time found; the failure of the ball with the lowest number is kept.
     #[inline]
-    fn found(&mut self, number: u32, result: Result<Option<f64>, RootError>) -> Option<f64> {
+    fn found(&mut self, place: u32, result: Result<Option<f64>, RootError>) -> Option<f64> {
         result.unwrap_or_else(|error| {
+            let number = self.number(place);
             let failure = &mut self.stripes[0].failure;
             if failure.is_none_or(|(other, _)| number < other) {
                 *failure = Some((number, error));
             }
             None
         })
+    }
+}
+
+/// When two balls on straight lines meet, seen from now: the falling root of gap + 2 slope t + square t², as
+/// [`contact::pair`] finds it; a test holds that they agree. Two that touch or overlap and approach meet now.
+#[inline]
+pub(super) fn straight(gap: f64, slope: f64, square: f64) -> Option<f64> {
+    let discriminant = slope * slope - gap * square;
+    if slope < 0.0 && discriminant >= 0.0 {
+        Some((gap / (discriminant.sqrt() - slope)).max(0.0))
+    } else {
+        None
     }
 }

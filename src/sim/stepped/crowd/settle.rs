@@ -1,77 +1,180 @@
 //! What happens at a contact.
 
+use glam::DVec2;
+
 use crate::physics::ball::State;
-use crate::physics::laws::ball_ball::PairContact;
+use crate::physics::laws::ball_ball::{BallBallLaw, PairContact};
 use crate::sim::stepped::crowd::body::Body;
-use crate::sim::stepped::crowd::caught::{Contact, Kind, Leg};
+use crate::sim::stepped::crowd::cells::TURNED;
+use crate::sim::stepped::crowd::look::Turn;
+use crate::sim::stepped::crowd::rows::Lanes;
 use crate::sim::stepped::crowd::search::Solver;
 use crate::sim::stepped::crowd::stripe::place;
+use crate::sim::stepped::crowd::turned::{Contact, Kind, Leg, Turned, turned};
 use crate::sim::stepped::resolve::BOUNCES;
 
-impl<B: Body> Solver<'_, B> {
+impl<B: Body, const WIDE: bool> Solver<'_, B, WIDE> {
     /// Applies the law of a contact.
     pub(super) fn happen(&mut self, contact: &Contact) {
         let (ball, laws, time) = (&self.stretch.ball, self.stretch.laws, contact.time);
-        let settled = |impacts: u32| (impacts >= BOUNCES).then_some(0.0);
         let one = contact.ball;
-        let impacts = self.caught(one).impacts;
-        let body = self.last(one).body;
+        let leg = self.leg(one);
         match contact.kind {
             Kind::Change => {
-                let after = body.end(ball);
-                self.turn(one, &after, time, 0);
+                let after = leg.body.end(ball);
+                let turn = self.follow(one, &after, time, leg.impacts);
+                self.look(&[turn]);
             }
             Kind::Cushion(index) => {
                 let table = self.stretch.table;
-                let met = (ball, &body.state(ball, time));
+                let met = (ball, &leg.body.state(ball, time));
                 let cushion = &table.cushions[index as usize];
-                let rebound = laws.cushion.meet(table, cushion, met, settled(impacts));
-                self.count[1] += 1;
+                let settled = (u32::from(leg.impacts) >= BOUNCES).then_some(0.0);
+                let rebound = laws.cushion.meet(table, cushion, met, settled);
                 let after = laws.motion.classify(ball, rebound.state);
-                self.turn(one, &after, time, 1);
+                let turn = self.follow(one, &after, time, leg.impacts + 1);
+                self.look(&[turn]);
+                self.tally().cushions += 1;
             }
-            Kind::Ball(other) => {
-                let it = self.caught(other);
-                let (first, second) = if self.caught(one).number < it.number {
-                    (one, other)
-                } else {
-                    (other, one)
-                };
-                let impacts = impacts.max(it.impacts);
-                let before = [
-                    self.last(first).body.state(ball, time),
-                    self.last(second).body.state(ball, time),
-                ];
-                let mut meeting = PairContact::between(&before[0], &before[1]);
-                meeting.restitution = settled(impacts);
-                let pair = [(ball, &before[0]), (ball, &before[1])];
-                let outcome = laws.ball_ball.collide(pair[0], pair[1], &meeting);
-                self.count[0] += 1;
-                let after = laws.motion.classify(ball, outcome.first);
-                self.turn(first, &after, time, 1);
-                let after = laws.motion.classify(ball, outcome.second);
-                self.turn(second, &after, time, 1);
-            }
+            Kind::Ball(other) => self.collide(time, (one, leg), (other, self.leg(other))),
         }
     }
 
-    /// Puts a caught ball on the leg that begins with this state.
-    fn turn(&mut self, id: u32, state: &State, time: f64, impacts: u32) {
-        let body = B::start(&self.stretch.laws.motion, &self.stretch.ball, state, time);
-        let stripe = &mut self.stripes[place::stripe(id) - self.base];
-        let caught = &mut stripe.caught[place::index(id)];
-        let leg = Leg {
-            body,
-            from: time,
-            before: caught.last,
-        };
-        if caught.last == caught.first {
-            caught.turn = time;
+    fn collide(&mut self, time: f64, one: (u32, Leg<B>), other: (u32, Leg<B>)) {
+        let (ball, laws) = (&self.stretch.ball, self.stretch.laws);
+        let apart = self.apart(time, &one, &other);
+        let impacts = u32::from(one.1.impacts.max(other.1.impacts));
+        let settled = (impacts >= BOUNCES).then_some(0.0);
+        self.tally().saturated += u64::from(impacts == BOUNCES);
+        if let (BallBallLaw::Frictionless(law), None) = (&laws.ball_ball, apart)
+            && let Some(bodies) = B::collide([&one.1.body, &other.1.body], time, law.restitution)
+            && settled.is_none()
+        {
+            self.tally().met += 1;
+            let turns = [
+                self.turn(one.0, bodies[0], time, one.1.impacts + 1),
+                self.turn(other.0, bodies[1], time, other.1.impacts + 1),
+            ];
+            self.look(&turns);
+            return;
         }
-        caught.last = stripe.legs.len() as u32;
-        caught.impacts += impacts;
-        stripe.legs.push(leg);
-        let speed = body.velocity(time).length_squared();
-        stripe.tally.speed = stripe.tally.speed.max(speed);
+        // The law sees them in the order of the scene, whoever found the other.
+        let (first, second) = if self.number(one.0) < self.number(other.0) {
+            (one, other)
+        } else {
+            (other, one)
+        };
+        let mut before = [
+            first.1.body.state(ball, time),
+            second.1.body.state(ball, time),
+        ];
+        if let Some(apart) = apart {
+            let apart = if first.0 == one.0 {
+                apart
+            } else {
+                [apart[1], apart[0]]
+            };
+            for (state, place) in before.iter_mut().zip(apart) {
+                (state.position.x, state.position.z) = (place.x, place.y);
+            }
+        }
+        let mut meeting = PairContact::between(&before[0], &before[1]);
+        meeting.restitution = settled;
+        let pair = [(ball, &before[0]), (ball, &before[1])];
+        let outcome = laws.ball_ball.collide(pair[0], pair[1], &meeting);
+        self.tally().met += u64::from(outcome.impulse > 0.0);
+        let turns = [(first, outcome.first), (second, outcome.second)].map(|((at, leg), state)| {
+            let after = laws.motion.classify(ball, state);
+            self.follow(at, &after, time, leg.impacts + 1)
+        });
+        self.look(&turns);
+    }
+
+    /// Where the two balls of a contact that was found too late are set so that they just touch; `None` if it was not.
+    fn apart(
+        &mut self,
+        time: f64,
+        (_, one): &(u32, Leg<B>),
+        (_, other): &(u32, Leg<B>),
+    ) -> Option<[DVec2; 2]> {
+        let places = [one.body.position(time), other.body.position(time)];
+        let offset = places[1] - places[0];
+        let reach = self.stretch.reach();
+        let square = offset.length_squared();
+        if square >= self.stretch.least_square() {
+            return None;
+        }
+        let distance = square.sqrt();
+        self.tally().late += 1;
+        let normal = offset.try_normalize().unwrap_or(DVec2::X);
+        let push = 0.5 * (reach - distance) * normal;
+        Some([self.inside(places[0] - push), self.inside(places[1] + push)])
+    }
+
+    /// The nearest place at which a ball overlaps no cushion.
+    fn inside(&self, mut place: DVec2) -> DVec2 {
+        let walls = self.stretch.walls;
+        if walls.is_clear(place) {
+            return place;
+        }
+        let reach = self.stretch.table.reach(self.stretch.ball.radius);
+        for listed in walls.near(place) {
+            let cushion = &self.stretch.table.cushions[walls.cushion(listed) as usize];
+            let (distance, normal) = cushion.nearest(place);
+            if distance < reach {
+                place += (reach - distance) * normal;
+            }
+        }
+        place
+    }
+
+    /// Puts a ball on the path that begins with this state.
+    fn follow(&mut self, at: u32, state: &State, time: f64, impacts: u16) -> Turn<B> {
+        let body = B::start(&self.stretch.laws.motion, &self.stretch.ball, state, time);
+        self.turn(at, body, time, impacts)
+    }
+
+    /// Puts a ball on another path. Nobody sees it before it is looked for what it meets.
+    fn turn(&mut self, at: u32, body: B, from: f64, impacts: u16) -> Turn<B> {
+        let (start, end) = (self.stretch.start, self.stretch.end);
+        let extent = self.stretch.extent(&body, from);
+        let (place, velocity) = (body.position(from), body.velocity(from));
+        let middle = body.position(0.5 * (from + end));
+        let (begin, way) = (place - (from - start) * velocity, (end - start) * velocity);
+        let stripe = self.stripe_mut(at);
+        let (index, turned_id) = (place::index(at), stripe.turned.len() as u32);
+        let sorted = stripe.sorted_mut(at);
+        let free = (middle - sorted.records[index].middle()).length() + extent;
+        sorted.lanes.set(index, Lanes::NOBODY);
+        let ball = sorted.balls[index];
+        let mut leg = Leg {
+            body,
+            from,
+            impacts,
+            turns: 1,
+        };
+        match turned(ball) {
+            Some(id) => {
+                let before = &mut stripe.turned[id].leg;
+                leg.turns = before.turns.wrapping_add(1);
+                *before = leg;
+            }
+            None => {
+                sorted.balls[index] = TURNED | turned_id;
+                let (place, slot) = (at, ball);
+                stripe.turned.push(Turned { leg, place, slot });
+            }
+        }
+        let speed = velocity.length_squared();
+        let most = &mut stripe.tally.speed;
+        *most = if speed > *most { speed } else { *most };
+        self.wander = self.wander.max(free);
+        Turn {
+            ball: at,
+            leg,
+            middle,
+            extent,
+            path: [begin.x, begin.y, way.x, way.y].map(|number| number as f32),
+        }
     }
 }

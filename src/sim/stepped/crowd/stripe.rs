@@ -9,10 +9,14 @@ use crate::physics::laws::Laws;
 use crate::physics::roots::RootError;
 use crate::physics::table::Table;
 use crate::sim::stepped::crowd::body::Body;
-use crate::sim::stepped::crowd::caught::{Caught, Cluster, Leg, Seed};
-use crate::sim::stepped::crowd::cells::{Cells, Link, MARKED, Record, Row, Sorted, roomy};
+use crate::sim::stepped::crowd::cells::{Cells, MARKED, Record, Sorted};
 use crate::sim::stepped::crowd::census::Tally;
+use crate::sim::stepped::crowd::rows::Near;
+use crate::sim::stepped::crowd::turned::{Contact, Turned};
 use crate::sim::stepped::crowd::walls::Walls;
+
+/// How much two balls may overlap before they are set apart, as a share of their distance at contact.
+const DEEP: f64 = 1e-4;
 
 /// What holds for all balls during one stretch of time: the tick, or a part of it. Times are on the clock of the crowd.
 #[derive(Clone, Copy)]
@@ -27,10 +31,6 @@ pub(super) struct Stretch<'a> {
     pub end: f64,
     /// Balls that get further than this from the middle of their path are looked after one by one, m.
     pub cut: f64,
-    /// How much further a ball may get by a contact before more than its links must be looked at, m.
-    pub spare: f64,
-    /// The most that any ball linked by cells may get, m.
-    pub most: f64,
     /// Largest acceleration, m/s².
     pub bend: f64,
 }
@@ -40,6 +40,25 @@ impl Stretch<'_> {
     #[inline]
     pub fn reach(&self) -> f64 {
         2.0 * self.ball.radius
+    }
+
+    /// What two balls must come near enough to meet.
+    pub fn near(&self) -> Near {
+        let size = f64::max(self.table.length, self.table.width);
+        let rounding = 1e-5 * self.reach() + 4.0 * f64::from(f32::EPSILON) * size;
+        let length = self.end - self.start;
+        let wide = self.reach() + length * length * self.bend + rounding;
+        Near {
+            wide: wide as f32,
+            edge: (wide + 2.0 * self.cut + rounding) as f32,
+        }
+    }
+
+    /// Two balls nearer than this are set apart, m²: a contact that was seen in time is off by rounding only.
+    #[inline]
+    pub fn least_square(&self) -> f64 {
+        let least = self.reach() * (1.0 - DEEP);
+        least * least
     }
 
     /// How far a ball gets from the middle of the path it began on, m.
@@ -65,19 +84,22 @@ impl Stretch<'_> {
     pub fn record<B: Body>(&self, body: &B, slot: u32, tally: &mut Tally) -> (Record, u32, f64) {
         let length = self.end - self.start;
         let middle = body.position(self.start + 0.5 * length);
-        let square = body.velocity(self.start).length_squared();
-        tally.speed = tally.speed.max(square);
+        let velocity = body.velocity(self.start);
+        let square = velocity.length_squared();
+        tally.speed = if square > tally.speed {
+            square
+        } else {
+            tally.speed
+        };
         tally.squares += square;
         tally.stopped += u64::from(square == 0.0);
         let free = self.freedom(body);
-        let mut record = Record::new(middle, (free + self.spare) as f32, slot);
-        if free > self.cut {
-            record.free = f32::NAN;
-        }
+        let mut record = Record::new(middle, length * velocity, slot);
         let [column, row] = self.cells.at(middle);
         let key = (row * self.cells.columns + column) as u32;
+        let is_fast = free > self.cut;
         let ends = B::BENDS && body.change() <= self.end;
-        if ends || !self.walls.is_clear(middle) {
+        if is_fast || ends || !self.walls.is_clear(middle) {
             record.ball |= MARKED;
         }
         (record, key, free)
@@ -134,24 +156,18 @@ pub(super) struct Stripe<B> {
     pub coming: Vec<(Record, u32)>,
     pub moving: Sorted,
     pub still: Sorted,
-    /// Records of balls that may do more than move on.
+    /// Records of balls that may do more than move on, in order.
     pub marked: Vec<u32>,
-    /// Balls near each other, both ways.
-    pub links: Vec<Link>,
-    pub fast: Vec<u32>,
-    /// Fast balls that get beyond the stripe.
-    pub wide_fast: Vec<u32>,
     /// How far the fastest ball gets from the middle of its path, m.
     pub fastest: f64,
-    /// How far a ball has got from the middle of the path it began the stretch on, m.
+    /// How far a ball that was turned gets from the middle of the path it began the stretch on, m.
     pub wander: f64,
-    pub caught: Vec<Caught>,
-    pub legs: Vec<Leg<B>>,
-    pub clusters: Vec<Cluster>,
-    pub seeds: Vec<Seed>,
-    /// Clusters that reach beyond the stripe.
+    pub turned: Vec<Turned<B>>,
+    /// Contacts that wait.
+    pub waiting: Vec<Contact>,
+    /// Balls that may meet something beyond the stripe.
     pub wide: Vec<u32>,
-    /// Caught balls at home elsewhere.
+    /// Turned balls at home elsewhere.
     pub foreign: Vec<u32>,
     pub tally: Tally,
     pub failure: Option<(u32, RootError)>,
@@ -169,15 +185,10 @@ impl<B: Body> Stripe<B> {
             moving: Sorted::default(),
             still: Sorted::default(),
             marked: Vec::new(),
-            links: Vec::new(),
-            fast: Vec::new(),
-            wide_fast: Vec::new(),
             fastest: 0.0,
             wander: 0.0,
-            caught: Vec::new(),
-            legs: Vec::new(),
-            clusters: Vec::new(),
-            seeds: Vec::new(),
+            turned: Vec::new(),
+            waiting: Vec::new(),
             wide: Vec::new(),
             foreign: Vec::new(),
             tally: Tally::default(),
@@ -198,7 +209,10 @@ impl<B: Body> Stripe<B> {
         let base = self.rows.start * cells.columns;
         let home = self.home.clone();
         let mut staged = std::mem::take(&mut self.staged);
-        staged.resize(home.len(), (Record::new(DVec2::ZERO, 0.0, 0), ELSEWHERE));
+        staged.resize(
+            home.len(),
+            (Record::new(DVec2::ZERO, DVec2::ZERO, 0), ELSEWHERE),
+        );
         let (mut fastest, mut tally) = (0.0_f64, Tally::default());
         for (slot, (body, staged)) in
             (home.start as u32..).zip(bodies[home].iter().zip(&mut staged))
@@ -212,7 +226,7 @@ impl<B: Body> Stripe<B> {
                 self.leaving.push((record, key));
                 staged.1 = ELSEWHERE;
             }
-            fastest = fastest.max(free);
+            fastest = if free > fastest { free } else { fastest };
         }
         self.staged = staged;
         (self.fastest, self.tally) = (fastest, tally);
@@ -236,101 +250,66 @@ impl<B: Body> Stripe<B> {
             *first = sum;
         }
         self.moving.resize(sum as usize);
-        for &(record, key) in self.staged.iter().chain(&self.coming) {
-            if key != ELSEWHERE {
+        self.marked.clear();
+        for (record, key) in self.staged.iter().chain(&self.coming) {
+            if *key != ELSEWHERE {
                 let cell = &mut self.moving.first[(key - base) as usize];
                 *cell -= 1;
-                self.moving.records[*cell as usize] = record;
+                let at = *cell as usize;
+                self.moving.records[at] = *record;
             }
         }
         self.moving.sort_rows(stretch.cells.columns);
-        self.still.unlink();
-        self.links.clear();
-        self.marked.clear();
-        self.fast.clear();
-        let Sorted { records, slots, .. } = &mut self.moving;
-        slots.resize(records.len(), 0);
-        for (at, (record, slot)) in (0..).zip(records.iter_mut().zip(slots)) {
+        for (at, record) in (0..).zip(&mut self.moving.records) {
             if record.ball & MARKED != 0 {
                 record.ball &= !MARKED;
                 self.marked.push(at);
             }
-            if record.free.is_nan() {
-                self.fast.push(at);
-            }
-            *slot = record.ball;
         }
+        self.moving.list();
         self.wander = 0.0;
-        self.caught.clear();
-        self.legs.clear();
-        self.clusters.clear();
-        self.seeds.clear();
+        self.turned.clear();
+        self.waiting.clear();
         self.wide.clear();
         self.foreign.clear();
     }
 
-    /// The records of a row of cells, and the index of the first.
-    #[inline]
-    pub fn row<'a>(&self, sorted: &'a Sorted, row: usize, columns: usize) -> (usize, &'a [Record]) {
-        if sorted.records.is_empty() {
-            return (0, &[]);
-        }
-        let begin = (row - self.rows.start) * columns;
-        let (from, to) = (
-            sorted.first[begin] as usize,
-            sorted.first[begin + columns] as usize,
-        );
-        (from, &sorted.records[from..to])
-    }
-
-    /// Lists the pairs of a row of moving balls here with another row, here or in another stripe, that are near enough to
-    /// meet. With `still` the other row is one of balls at rest.
+    /// Lists the pairs of a row of moving balls here with another row, here or in another stripe, that may meet. With
+    /// `still` the other row is one of balls at rest.
     pub fn find_close(
         &self,
         stretch: &Stretch,
         row: usize,
         (other, other_row, still): (&Self, usize, bool),
-        lanes: &Row,
         close: &mut Vec<[u32; 2]>,
     ) {
         let columns = stretch.cells.columns;
-        let (begin, mine) = self.row(&self.moving, row, columns);
-        let one = place::of(self.index, begin);
-        let reach = roomy(stretch.reach());
-        // No ball that is linked by cells gets further.
-        let most = roomy(stretch.most);
-        if row == other_row && !still {
-            lanes.pairs(mine, reach, most, |i, k| {
-                close.push([one + i as u32, one + k as u32]);
-            });
-            return;
-        }
         let sorted = if still { &other.still } else { &other.moving };
         let mark = if still { place::STILL } else { 0 };
-        let two = place::of(other.index, other.row(sorted, other_row, columns).0) | mark;
-        lanes.pairs_with(mine, reach, most, |i, k| {
-            close.push([one + i as u32, two + k as u32]);
-        });
+        let (one, two) = (place::of(self.index, 0), place::of(other.index, 0) | mark);
+        let (mine, near) = (
+            self.moving.row(row - self.rows.start, columns),
+            stretch.near(),
+        );
+        if row == other_row && !still {
+            let take = |i, k| close.push([one + i, one + k]);
+            self.moving.lanes.pairs(mine, near, take);
+        } else {
+            let theirs = sorted.row(other_row - other.rows.start, columns);
+            let take = |i, k| close.push([one + i, two + k]);
+            self.moving
+                .lanes
+                .pairs_with(mine, &sorted.lanes, theirs, near, take);
+        }
     }
 
-    /// Puts the balls that were caught and are at home here on their last legs, and sums up what was done.
+    /// Puts the balls that were turned and are at home here on their last paths.
     pub fn commit(&mut self, home: &mut [B]) {
-        for (id, ball) in (0..).zip(&self.caught) {
-            if ball.place & place::STILL != 0 {
-                self.foreign.push(id);
-            } else if ball.last != ball.first {
-                match home.get_mut((ball.slot as usize).wrapping_sub(self.home.start)) {
-                    Some(body) => *body = self.legs[ball.last as usize].body,
-                    None => self.foreign.push(id),
-                }
-            }
-        }
-        for (index, cluster) in self.clusters.iter().enumerate() {
-            if cluster.parent == place::of(self.index, index) {
-                let [met, cushions, saturated] = cluster.count;
-                self.tally.met += u64::from(met);
-                self.tally.cushions += u64::from(cushions);
-                self.tally.saturated += u64::from(saturated);
+        for (id, ball) in (0..).zip(&self.turned) {
+            let at = (ball.slot as usize).wrapping_sub(self.home.start);
+            match home.get_mut(at) {
+                Some(body) if ball.place & place::STILL == 0 => *body = ball.leg.body,
+                _ => self.foreign.push(id),
             }
         }
     }
@@ -355,18 +334,19 @@ impl<B: Body> Stripe<B> {
     }
 
     /// Sorts balls at rest, given with the places where they lie.
-    pub fn sort_still(&mut self, cells: &Cells, spare: f64, balls: &[(DVec2, u32)]) {
+    pub fn sort_still(&mut self, cells: &Cells, balls: &[(DVec2, u32)]) {
         let base = self.rows.start * cells.columns;
         let count = self.rows.len() * cells.columns;
         let Sorted { first, .. } = &mut self.still;
         first.clear();
+        if balls.is_empty() {
+            return;
+        }
+        first.resize(count + 1, 0);
         let cell_of = |place: DVec2| {
             let [column, row] = cells.at(place);
             row * cells.columns + column - base
         };
-        if !balls.is_empty() {
-            first.resize(count + 1, 0);
-        }
         for (place, _) in balls {
             first[cell_of(*place)] += 1;
         }
@@ -380,13 +360,9 @@ impl<B: Body> Stripe<B> {
             let cell = &mut self.still.first[cell_of(*place)];
             *cell -= 1;
             let at = *cell as usize;
-            self.still.records[at] = Record::new(*place, spare as f32, *slot);
+            self.still.records[at] = Record::new(*place, DVec2::ZERO, *slot);
         }
-        if !balls.is_empty() {
-            self.still.sort_rows(cells.columns);
-            let slots = self.still.records.iter().map(|record| record.ball);
-            self.still.slots.clear();
-            self.still.slots.extend(slots);
-        }
+        self.still.sort_rows(cells.columns);
+        self.still.list();
     }
 }
