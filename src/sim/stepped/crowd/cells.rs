@@ -121,13 +121,6 @@ pub(super) struct Cells {
     pub rows: usize,
 }
 
-/// Cells from a column to another and from a row to another, both included.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Window {
-    pub columns: [usize; 2],
-    pub rows: [usize; 2],
-}
-
 impl Cells {
     /// Cells of about this size.
     pub fn new(table: DVec2, size: DVec2) -> Self {
@@ -145,16 +138,6 @@ impl Cells {
     pub fn at(&self, place: DVec2) -> [usize; 2] {
         let at = (place - self.least) * self.per_cell;
         [index(at.x, self.columns), index(at.y, self.rows)]
-    }
-
-    /// The cells around a place.
-    #[inline]
-    pub fn window(&self, center: DVec2, reach: f64) -> Window {
-        let ([c0, r0], [c1, r1]) = (self.at(center - reach), self.at(center + reach));
-        Window {
-            columns: [c0, c1],
-            rows: [r0, r1],
-        }
     }
 
     /// How many cells away something this far can be, along x and z.
