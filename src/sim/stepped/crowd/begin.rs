@@ -109,9 +109,10 @@ impl<B: Body, const WIDE: bool> Solver<'_, B, WIDE> {
     /// Takes up two balls if they meet on the paths they began the stretch on, or are on by now.
     #[inline(always)]
     fn begin(&mut self, one: u32, other: u32) {
-        let (a, b) = (self.leg(one), self.leg(other));
+        let (a, b) = (self.seen(one), self.seen(other));
         if let Some(time) = self.meet(one, &a, &b) {
-            self.wait(time, one, Kind::Ball(other), [a.turns, b.turns]);
+            let turns = [a.turns, b.turns];
+            self.wait(time, one, Kind::Ball(other), turns);
         }
     }
 

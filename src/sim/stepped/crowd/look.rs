@@ -105,9 +105,10 @@ impl<B: Body, const WIDE: bool> Solver<'_, B, WIDE> {
 
     #[inline]
     fn look_at(&mut self, ball: u32, leg: &Leg<B>, other: u32) {
-        let theirs = self.leg(other);
-        if let Some(time) = self.meet(ball, leg, &theirs) {
-            self.wait(time, ball, Kind::Ball(other), [leg.turns, theirs.turns]);
+        let theirs = self.seen(other);
+        if let Some(time) = self.meet(ball, &leg.seen(), &theirs) {
+            let turns = [leg.turns, theirs.turns];
+            self.wait(time, ball, Kind::Ball(other), turns);
         }
     }
 

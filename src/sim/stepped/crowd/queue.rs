@@ -31,13 +31,12 @@ impl<B: Body, const WIDE: bool> Solver<'_, B, WIDE> {
         };
         while let Some(contact) = self.queue.pop() {
             let (ball, other) = (contact.ball, contact.other());
-            let leg = self.leg(ball);
-            if leg.turns != contact.turns[0] {
+            if self.seen(ball).turns != contact.turns[0] {
                 continue;
             }
             let mut holds = self.is_held(ball) || !is_ready(ball);
             if other != NONE {
-                if self.leg(other).turns != contact.turns[1] {
+                if self.seen(other).turns != contact.turns[1] {
                     continue;
                 }
                 holds |= self.is_held(other) || !is_ready(other);

@@ -12,7 +12,7 @@ use crate::sim::stepped::crowd::calendar::Calendar;
 use crate::sim::stepped::crowd::census::Tally;
 use crate::sim::stepped::crowd::rows::Near;
 use crate::sim::stepped::crowd::stripe::{Stretch, Stripe, place};
-use crate::sim::stepped::crowd::turned::{Contact, Kind, Leg, turned};
+use crate::sim::stepped::crowd::turned::{Contact, Kind, Leg, Seen, turned};
 use crate::sim::stepped::resolve::{BOUNCES, IMPACTS};
 
 /// What is added to distances before they are compared, for rounding; a share.
@@ -53,6 +53,7 @@ pub(super) struct Solver<'a, B, const WIDE: bool> {
     pub held: Vec<Contact>,
     /// Square of the least distance of two balls at the start, m².
     nearest: Cell<f64>,
+    failure: Cell<Option<(u32, RootError)>>,
 }
 
 impl<'a, B: Body, const WIDE: bool> Solver<'a, B, WIDE> {
@@ -80,6 +81,7 @@ impl<'a, B: Body, const WIDE: bool> Solver<'a, B, WIDE> {
             queue: std::mem::take(&mut scratch.queue),
             held: std::mem::take(&mut scratch.held),
             nearest: Cell::new(f64::INFINITY),
+            failure: Cell::new(stripes[0].failure),
             stripes,
         }
     }
@@ -87,6 +89,7 @@ impl<'a, B: Body, const WIDE: bool> Solver<'a, B, WIDE> {
     /// Gives the memory back.
     pub fn finish(mut self, scratch: &mut Scratch) {
         self.stripes[0].wander = self.wander;
+        self.stripes[0].failure = self.failure.get();
         let overlap = self.stretch.reach() - self.nearest.get().sqrt();
         let tally = self.tally();
         tally.overlap = tally.overlap.max(overlap);
@@ -120,12 +123,29 @@ impl<'a, B: Body, const WIDE: bool> Solver<'a, B, WIDE> {
     /// The path that the ball at a place is on.
     #[inline(always)]
     pub fn leg(&self, at: u32) -> Leg<B> {
+        let Seen {
+            body,
+            from,
+            impacts,
+            turns,
+        } = self.seen(at);
+        Leg {
+            body: *body,
+            from,
+            impacts,
+            turns,
+        }
+    }
+
+    /// The same without a copy of the body.
+    #[inline(always)]
+    pub fn seen(&self, at: u32) -> Seen<'_, B> {
         let stripe = self.stripe(at);
         let ball = stripe.sorted(at).balls[place::index(at)];
         match turned(ball) {
-            Some(id) => stripe.turned[id].leg,
-            None => Leg {
-                body: self.bodies[ball as usize],
+            Some(id) => stripe.turned[id].leg.seen(),
+            None => Seen {
+                body: &self.bodies[ball as usize],
                 from: self.stretch.start,
                 impacts: 0,
                 turns: 0,
@@ -185,7 +205,7 @@ impl<'a, B: Body, const WIDE: bool> Solver<'a, B, WIDE> {
     /// When two legs meet before the end. Where one of them began later than it should have, for a contact that was not
     /// known, they may overlap then already: they meet at once.
     #[inline(always)]
-    pub fn meet(&mut self, place: u32, a: &Leg<B>, b: &Leg<B>) -> Option<f64> {
+    pub fn meet(&self, place: u32, a: &Seen<B>, b: &Seen<B>) -> Option<f64> {
         let from = a.from.max(b.from);
         let end = self.stretch.end;
         let left = end - from;
@@ -219,13 +239,13 @@ impl<'a, B: Body, const WIDE: bool> Solver<'a, B, WIDE> {
         Some(from + met.max(least)).filter(|time| *time <= end && impacts <= IMPACTS)
     }
 
-    fn meet_bent(&mut self, place: u32, (a, b): (&Leg<B>, &Leg<B>), from: f64) -> Option<f64> {
+    fn meet_bent(&self, place: u32, (a, b): (&Seen<B>, &Seen<B>), from: f64) -> Option<f64> {
         if !(a.body.translates() || b.body.translates()) {
             return None;
         }
         let change = a.body.change().min(b.body.change());
         let left = (self.stretch.end.min(change) - from).max(0.0);
-        let paths = [track(&a.body, from), track(&b.body, from)];
+        let paths = [track(a.body, from), track(b.body, from)];
         let met = contact::pair(&paths[0], &paths[1], self.stretch.reach(), left);
         self.found(place, met)
     }
@@ -248,12 +268,11 @@ impl<'a, B: Body, const WIDE: bool> Solver<'a, B, WIDE> {
 
     /// The time found; the failure of the ball with the lowest number is kept.
     #[inline]
-    fn found(&mut self, place: u32, result: Result<Option<f64>, RootError>) -> Option<f64> {
+    fn found(&self, place: u32, result: Result<Option<f64>, RootError>) -> Option<f64> {
         result.unwrap_or_else(|error| {
             let number = self.number(place);
-            let failure = &mut self.stripes[0].failure;
-            if failure.is_none_or(|(other, _)| number < other) {
-                *failure = Some((number, error));
+            if self.failure.get().is_none_or(|(other, _)| number < other) {
+                self.failure.set(Some((number, error)));
             }
             None
         })

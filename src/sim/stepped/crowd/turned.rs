@@ -55,6 +55,28 @@ pub(super) struct Leg<B> {
     pub turns: u16,
 }
 
+impl<B> Leg<B> {
+    /// The same without a copy of the body.
+    #[inline(always)]
+    pub fn seen(&self) -> Seen<'_, B> {
+        Seen {
+            body: &self.body,
+            from: self.from,
+            impacts: self.impacts,
+            turns: self.turns,
+        }
+    }
+}
+
+/// A leg that is only looked at.
+#[derive(Debug)]
+pub(super) struct Seen<'a, B> {
+    pub body: &'a B,
+    pub from: f64,
+    pub impacts: u16,
+    pub turns: u16,
+}
+
 /// A ball whose path does not just go on.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Turned<B> {
