@@ -1,4 +1,8 @@
 //! Contacts of the paths that balls began a stretch on.
+#![expect(
+    clippy::inline_always,
+    reason = "the innermost loops of a tick: a call would cost as much as the work"
+)]
 
 use std::time::Instant;
 

@@ -146,7 +146,7 @@ impl<B: Body> Field<B> {
             || self.woken.len() > 64 + self.moving / 8
             || self.ticks > 8 && self.stopped > 64 + self.moving / 8 && self.work > 8 * self.moving
             || (cell.is_none()
-                && self.reach(stretch, cut) * self.cells.per_cell.max_element() > 1.0 + 1e-6);
+                && Self::reach(stretch, cut) * self.cells.per_cell.max_element() > 1.0 + 1e-6);
         if self.stripes.is_empty() || overdue {
             self.sort(stretch, cell, cut);
         } else if self.ticks >= REBASE_AFTER {
@@ -196,7 +196,7 @@ impl<B: Body> Field<B> {
     }
 
     /// How far the centres of two balls can be from each other in the middle of their paths, and meet.
-    pub fn reach(&self, stretch: &Stretch, cut: f64) -> f64 {
+    pub fn reach(stretch: &Stretch, cut: f64) -> f64 {
         (stretch.reach() + 2.0 * cut) * (1.0 + 1e-4)
     }
 
@@ -240,7 +240,7 @@ impl<B: Body> Field<B> {
         let all = self.stripes.len();
         self.scratch.resize_with(all, Scratch::default);
         let truth = (&self.bodies[..], &self.numbers[..]);
-        let span = stretch.cells.span(self.reach(stretch, stretch.cut));
+        let span = stretch.cells.span(Self::reach(stretch, stretch.cut));
         let work = self.stripes.iter_mut().zip(&mut self.scratch);
         share(threads, work, |(stripe, scratch)| {
             let mut lap = Instant::now();

@@ -16,7 +16,7 @@ impl<B: Body> Field<B> {
     /// Sorts the balls by cell, those that move and those that do not.
     pub fn sort(&mut self, stretch: &Stretch, cell: Option<DVec2>, cut: f64) {
         let table = DVec2::new(stretch.table.length, stretch.table.width);
-        let reach = self.reach(stretch, cut) * 1.05;
+        let reach = Self::reach(stretch, cut) * 1.05;
         // Far more cells than balls would only cost memory.
         let least = (table.x * table.y / (4 * self.bodies.len() + 1024) as f64).sqrt();
         self.cells = Cells::new(table, cell.unwrap_or(DVec2::splat(reach.max(least))));

@@ -1,4 +1,8 @@
 //! Rows of balls, several compared at once.
+#![expect(
+    clippy::inline_always,
+    reason = "the innermost loops of a tick: a call would cost as much as the work"
+)]
 
 use wide::f32x4;
 

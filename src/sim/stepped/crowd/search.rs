@@ -1,4 +1,8 @@
 //! Finding what meets: the memory of a solver, and its questions.
+#![expect(
+    clippy::inline_always,
+    reason = "the innermost loops of a tick: a call would cost as much as the work"
+)]
 
 use std::cell::Cell;
 

@@ -153,17 +153,14 @@ impl<B: Body, const WIDE: bool> Solver<'_, B, WIDE> {
             impacts,
             turns: 1,
         };
-        match turned(ball) {
-            Some(id) => {
-                let before = &mut stripe.turned[id].leg;
-                leg.turns = before.turns.wrapping_add(1);
-                *before = leg;
-            }
-            None => {
-                sorted.balls[index] = TURNED | turned_id;
-                let (place, slot) = (at, ball);
-                stripe.turned.push(Turned { leg, place, slot });
-            }
+        if let Some(id) = turned(ball) {
+            let before = &mut stripe.turned[id].leg;
+            leg.turns = before.turns.wrapping_add(1);
+            *before = leg;
+        } else {
+            sorted.balls[index] = TURNED | turned_id;
+            let (place, slot) = (at, ball);
+            stripe.turned.push(Turned { leg, place, slot });
         }
         let speed = velocity.length_squared();
         let most = &mut stripe.tally.speed;

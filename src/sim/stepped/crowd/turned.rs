@@ -1,4 +1,8 @@
 //! Balls on other paths than those they began the tick on, and what will happen.
+#![expect(
+    clippy::inline_always,
+    reason = "the innermost loops of a tick: a call would cost as much as the work"
+)]
 
 use crate::sim::stepped::crowd::cells::TURNED;
 
