@@ -37,7 +37,11 @@ pub(in crate::window) fn layer(app: &mut App) -> Option<BoxedLayer> {
 }
 
 pub(super) fn plugin(app: &mut App) {
-    app.add_systems(PostUpdate, tell.run_if(resource_exists::<Lost>));
+    app.add_systems(
+        Update,
+        // It adds a notice: whatever reads notices reads it now or in the next frame.
+        tell.run_if(resource_exists::<Lost>).ambiguous_with_all(),
+    );
 }
 
 fn tell(lost: Res<Lost>, mut was_told: Local<bool>, mut told: MessageWriter<Told>) {

@@ -91,7 +91,11 @@ fn strike(app: &mut App) {
         assert_eq!(is_moving(app), wanted);
     }
     stepping::step(app, 2);
-    step(app);
+    // Frames with ticks of their own: what the referee says is told in them.
+    for _ in 0..20 {
+        std::thread::sleep(std::time::Duration::from_millis(5));
+        step(app);
+    }
 }
 
 fn cue_ball(app: &App) -> glam::DVec3 {
