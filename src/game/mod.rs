@@ -2,6 +2,7 @@
 
 pub mod aim;
 pub mod aimed;
+pub mod decisive;
 pub mod equip;
 pub mod guide;
 pub mod history;

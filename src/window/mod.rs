@@ -14,6 +14,7 @@ mod match_ui;
 mod menu;
 mod pace;
 pub mod page;
+mod photo;
 mod preset;
 mod render;
 mod scenario_ui;
@@ -48,7 +49,7 @@ use crate::window::page::Screen;
 
 /// The order of one frame.
 ///
-/// While the menu is open nothing is played: `Input` and `Ui` are left out.
+/// While the menu is open nothing is played: `Input` and `Ui` are left out; so they are while a photo is taken.
 #[derive(SystemSet, Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum WindowSystems {
     /// The menu is steered. Runs in [`PreUpdate`], before `Input`; and laid out, last in [`EguiPrimaryContextPass`].
@@ -88,9 +89,9 @@ impl Plugin for WindowPlugin {
                 (
                     WindowSystems::Menu,
                     WindowSystems::Asking,
-                    WindowSystems::Close.run_if(in_state(Screen::Table)),
-                    WindowSystems::Input.run_if(in_state(Screen::Table)),
-                    WindowSystems::Scenes.run_if(in_state(Screen::Table)),
+                    WindowSystems::Close.run_if(at_table()),
+                    WindowSystems::Input.run_if(at_table()),
+                    WindowSystems::Scenes.run_if(at_table()),
                 )
                     .chain()
                     .after(InputManagerSystem::ManualControl)
@@ -103,10 +104,10 @@ impl Plugin for WindowPlugin {
             .configure_sets(
                 EguiPrimaryContextPass,
                 (
-                    WindowSystems::Ui.run_if(in_state(Screen::Table)),
-                    WindowSystems::Match.run_if(in_state(Screen::Table)),
-                    WindowSystems::Scenes.run_if(in_state(Screen::Table)),
-                    WindowSystems::Overlay,
+                    WindowSystems::Ui.run_if(at_table()),
+                    WindowSystems::Match.run_if(at_table()),
+                    WindowSystems::Scenes.run_if(at_table()),
+                    WindowSystems::Overlay.run_if(photo::is_off),
                     WindowSystems::Menu,
                 )
                     .chain(),
@@ -126,9 +127,15 @@ impl Plugin for WindowPlugin {
                 crowd::plugin,
                 scenario_ui::plugin,
                 sound::plugin,
+                photo::plugin,
                 preset::plugin,
             ));
     }
+}
+
+/// Whether the table has keys, pointer and panels: no menu is open and no photo is being taken.
+fn at_table() -> impl SystemCondition<()> {
+    in_state(Screen::Table).and_then(photo::is_off)
 }
 
 /// What can be seen without touching anything: the part that also draws without a window.

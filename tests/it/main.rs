@@ -22,6 +22,8 @@ mod judges;
 #[cfg(feature = "window")]
 mod languages;
 mod live_exact;
+#[cfg(feature = "window")]
+mod looks;
 mod matches;
 #[cfg(feature = "window")]
 mod menu;

@@ -40,6 +40,10 @@ pub struct Settings {
     pub cloth: ClothColour,
     /// The wood of the rails.
     pub wood: Wood,
+    /// How the table is built.
+    pub table: TableStyle,
+    /// Time slows down for the ball that decides a rack as it drops.
+    pub slow_motion: bool,
     /// The controls of an action by their names, for every action whose controls are not those it comes with.
     pub bindings: BTreeMap<String, Vec<String>>,
 }
@@ -63,6 +67,8 @@ impl Default for Settings {
             quality: Quality::default(),
             cloth: ClothColour::default(),
             wood: Wood::default(),
+            table: TableStyle::default(),
+            slow_motion: true,
             bindings: BTreeMap::new(),
         }
     }
@@ -104,8 +110,12 @@ pub enum Quality {
     Automatic,
     /// For a processor that draws.
     Low,
+    /// For a laptop.
+    Medium,
     /// For a graphics card.
     High,
+    /// For a strong graphics card.
+    Ultra,
 }
 
 /// Colour of the cloth.
@@ -122,16 +132,22 @@ pub enum ClothColour {
     Burgundy,
     /// Grey: the balls stand out by their colours alone.
     Grey,
+    /// Bright red.
+    Red,
+    /// Camel.
+    Camel,
 }
 
 impl ClothColour {
     /// Every colour, in the order in which they are listed.
-    pub const ALL: [Self; 5] = [
+    pub const ALL: [Self; 7] = [
         Self::Tournament,
         Self::Green,
         Self::Blue,
         Self::Burgundy,
         Self::Grey,
+        Self::Red,
+        Self::Camel,
     ];
 }
 
@@ -150,6 +166,33 @@ pub enum Wood {
 impl Wood {
     /// Every wood, in the order in which they are listed.
     pub const ALL: [Self; 3] = [Self::Mahogany, Self::Oak, Self::Ebony];
+}
+
+/// How the table is built, and which lamp hangs over it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+pub enum TableStyle {
+    /// Turned legs, leather pockets, brass and ivory, three glass shades.
+    #[default]
+    Classic,
+    /// Straight legs, black pockets, no ornament, one flat lamp.
+    Modern,
+    /// Chrome corners, rubber pockets, a lamp of coloured glass.
+    BarBox,
+}
+
+impl TableStyle {
+    /// Every style, in the order in which they are listed.
+    pub const ALL: [Self; 3] = [Self::Classic, Self::Modern, Self::BarBox];
+
+    /// The wood that such a table is made of, unless another is chosen.
+    #[must_use]
+    pub fn wood(self) -> Wood {
+        match self {
+            Self::Classic => Wood::Mahogany,
+            Self::Modern => Wood::Ebony,
+            Self::BarBox => Wood::Oak,
+        }
+    }
 }
 
 pub(super) fn plugin(app: &mut App) {

@@ -117,6 +117,8 @@ pub enum Action {
     NextTrick,
     /// Play faster while held.
     FastForward,
+    /// Photo mode, or back from it.
+    Photo,
     /// Silence.
     Mute,
     /// Show or hide the shot panel.

@@ -55,7 +55,8 @@ pub(super) fn plugin(app: &mut App) {
 fn most(quality: RenderQuality) -> usize {
     match quality {
         RenderQuality::Low => 20_000,
-        RenderQuality::High => 200_000,
+        RenderQuality::Medium => 100_000,
+        RenderQuality::High | RenderQuality::Ultra => 200_000,
     }
 }
 

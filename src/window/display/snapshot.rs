@@ -9,6 +9,7 @@ use bevy::prelude::*;
 use bevy::render::render_resource::TextureFormat;
 use bevy::render::view::screenshot::{Screenshot, ScreenshotCaptured};
 
+use crate::game::settings::Settings;
 use crate::game::view::{CameraInput, CameraMode, View};
 use crate::physics::scene::Scene;
 use crate::sim::playfield::lay_out;
@@ -86,7 +87,22 @@ pub fn picture(
     camera: CameraMode,
     input: &[CameraInput],
 ) -> Result<Picture, NoDisplay> {
+    picture_with(scene, (width, height), camera, input, &Settings::default())
+}
+
+/// The same with these settings: how fine, which table, which cloth.
+///
+/// # Errors
+/// [`NoDisplay`] if there is no graphics adapter.
+pub fn picture_with(
+    scene: &Scene,
+    (width, height): (u32, u32),
+    camera: CameraMode,
+    input: &[CameraInput],
+    settings: &Settings,
+) -> Result<Picture, NoDisplay> {
     let (mut app, target) = set_up(scene, (width, height))?;
+    app.insert_resource(settings.clone());
     // However long drawing takes, no time goes by on the table.
     app.world_mut().resource_mut::<Time<Virtual>>().pause();
     app.world_mut().resource_mut::<View>().camera = camera;

@@ -6,7 +6,7 @@ use bevy_egui::egui;
 use super::rows;
 use crate::game::equip::{ChoosePreset, PresetInUse};
 use crate::game::practice::PracticeCommand;
-use crate::game::settings::{ClothColour, Settings, Wood};
+use crate::game::settings::{ClothColour, Settings, TableStyle, Wood};
 use crate::physics::table::Preset;
 use crate::scenarios::preset;
 use crate::sim::playfield::Playfield;
@@ -61,14 +61,32 @@ fn show(
             }
         }
     });
-    let mut wish = (settings.cloth, settings.wood);
     rows::heading(ui, language.text("equipment-look"));
+    look(ui, &language, settings.reborrow());
+}
+
+/// How the table looks: its style, its cloth, its wood. A style brings its own wood, which can be changed.
+pub(super) fn look(ui: &mut egui::Ui, language: &Language, mut settings: Mut<Settings>) {
+    let mut wish = (settings.table, settings.cloth, settings.wood);
+    let styles = TableStyle::ALL.map(|style| (style, language.text(style_key(style)).to_owned()));
+    rows::choice(ui, language.text("equipment-style"), &mut wish.0, styles);
     let cloths = ClothColour::ALL.map(|cloth| (cloth, language.text(cloth_key(cloth)).to_owned()));
-    rows::choice(ui, language.text("equipment-cloth"), &mut wish.0, cloths);
+    rows::choice(ui, language.text("equipment-cloth"), &mut wish.1, cloths);
     let woods = Wood::ALL.map(|wood| (wood, language.text(wood_key(wood)).to_owned()));
-    rows::choice(ui, language.text("equipment-wood"), &mut wish.1, woods);
-    if wish != (settings.cloth, settings.wood) {
-        (settings.cloth, settings.wood) = wish;
+    rows::choice(ui, language.text("equipment-wood"), &mut wish.2, woods);
+    if wish.0 != settings.table {
+        wish.2 = wish.0.wood();
+    }
+    if wish != (settings.table, settings.cloth, settings.wood) {
+        (settings.table, settings.cloth, settings.wood) = wish;
+    }
+}
+
+fn style_key(style: TableStyle) -> &'static str {
+    match style {
+        TableStyle::Classic => "table-style-classic",
+        TableStyle::Modern => "table-style-modern",
+        TableStyle::BarBox => "table-style-bar-box",
     }
 }
 
@@ -79,6 +97,8 @@ fn cloth_key(cloth: ClothColour) -> &'static str {
         ClothColour::Blue => "cloth-blue",
         ClothColour::Burgundy => "cloth-burgundy",
         ClothColour::Grey => "cloth-grey",
+        ClothColour::Red => "cloth-red",
+        ClothColour::Camel => "cloth-camel",
     }
 }
 

@@ -9,8 +9,8 @@ mod plan;
 mod preview;
 pub(super) mod quality;
 mod room;
-
 mod solid;
+mod stage;
 mod studio;
 mod table;
 mod trails;
@@ -31,6 +31,8 @@ enum Drawing {
     Table,
     /// Balls are put where they are.
     Balls,
+    /// Shaders are told what stands where.
+    Stage,
     /// The cue stick.
     Cue,
     /// Aim line and ghost ball.
@@ -47,6 +49,7 @@ pub(super) fn plugin(app: &mut App) {
             Drawing::Room,
             Drawing::Table,
             Drawing::Balls,
+            Drawing::Stage,
             Drawing::Cue,
             Drawing::Guides,
             Drawing::Preview,
@@ -62,6 +65,7 @@ pub(super) fn plugin(app: &mut App) {
         .add_plugins((
             lines::plugin,
             room::plugin,
+            stage::plugin,
             table::plugin,
             balls::plugin,
             cue::plugin,

@@ -6,13 +6,17 @@ use bevy::render::render_resource::WgpuAdapterInfo;
 use crate::game::settings::{Quality, Settings};
 
 /// How much work a frame may be.
-#[derive(Resource, Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Resource, Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub enum RenderQuality {
-    /// For a driver that draws with the processor: one shadow, coarser balls, no multisampling.
+    /// For a driver that draws with the processor: one shadow, coarser balls, no multisampling, no light beyond white.
     Low,
-    /// For a graphics card.
+    /// For a graphics chip that shares its memory: soft shadows and mirrors by rays, light that blooms.
+    Medium,
+    /// For a graphics card: finer textures, a shadow of cue and rails from every lamp.
     #[default]
     High,
+    /// For a strong graphics card: ambient occlusion between all surfaces.
+    Ultra,
 }
 
 impl RenderQuality {
@@ -20,10 +24,10 @@ impl RenderQuality {
     #[must_use]
     pub fn for_adapter(adapter: &WgpuAdapterInfo) -> Self {
         // The type of this field is not among Bevy's exports, its name is stable.
-        if format!("{:?}", adapter.device_type) == "Cpu" {
-            Self::Low
-        } else {
-            Self::High
+        match format!("{:?}", adapter.device_type).as_str() {
+            "Cpu" => Self::Low,
+            "IntegratedGpu" => Self::Medium,
+            _ => Self::High,
         }
     }
 
@@ -32,15 +36,22 @@ impl RenderQuality {
         match quality {
             Quality::Automatic => suited,
             Quality::Low => Self::Low,
+            Quality::Medium => Self::Medium,
             Quality::High => Self::High,
+            Quality::Ultra => Self::Ultra,
         }
+    }
+
+    /// Whether balls and cloth follow rays: mirrored neighbours, round shadows.
+    pub(super) fn traces(self) -> bool {
+        self > Self::Low
     }
 
     /// Lamps that cast shadows.
     pub(super) fn shadows(self) -> usize {
         match self {
-            Self::Low => 1,
-            Self::High => 3,
+            Self::Low | Self::Medium => 1,
+            Self::High | Self::Ultra => 3,
         }
     }
 
@@ -48,7 +59,8 @@ impl RenderQuality {
     pub(super) fn shadow_map(self) -> usize {
         match self {
             Self::Low => 1024,
-            Self::High => 2048,
+            Self::Medium | Self::High => 2048,
+            Self::Ultra => 4096,
         }
     }
 
@@ -56,7 +68,9 @@ impl RenderQuality {
     pub(super) fn segments(self) -> u32 {
         match self {
             Self::Low => 32,
+            Self::Medium => 48,
             Self::High => 64,
+            Self::Ultra => 96,
         }
     }
 
@@ -64,8 +78,14 @@ impl RenderQuality {
     pub(super) fn anisotropy(self) -> u16 {
         match self {
             Self::Low => 2,
-            Self::High => 16,
+            Self::Medium => 4,
+            Self::High | Self::Ultra => 16,
         }
+    }
+
+    /// By how much a texture is finer along each side, as a power of two.
+    pub(super) fn finer(self) -> u32 {
+        u32::from(self >= Self::High)
     }
 }
 

@@ -1,5 +1,5 @@
-//! The light of the room as a cube map: a dim room with long lamps overhead, which glossy balls mirror. Painted and
-//! blurred here, so that it is there with the first frame.
+//! The light of the room as cube maps, which glossy surfaces mirror. Painted and blurred here, so that they are there with
+//! the first frame.
 
 use bevy::asset::RenderAssetUsages;
 use bevy::image::{ImageFilterMode, ImageSampler, ImageSamplerDescriptor};
@@ -9,47 +9,138 @@ use bevy::render::render_resource::{
     Extent3d, TextureDimension, TextureFormat, TextureViewDescriptor, TextureViewDimension,
 };
 
+use crate::window::render::room::seen_towards;
+
 /// Side of the sharpest level of the mirror map, texels.
 const SIDE: u32 = 128;
 
-/// Light from everywhere but the lamps themselves.
-pub(super) fn studio(images: &mut Assets<Image>) -> EnvironmentMapLight {
-    EnvironmentMapLight {
-        diffuse_map: images.add(cube(16, 1, |direction, _| soft(direction))),
-        specular_map: images.add(cube(SIDE, SIDE.ilog2() - 1, |direction, roughness| {
-            mirrored(direction, roughness)
-        })),
-        intensity: 100.0,
-        ..default()
+/// How bright the room is, cd/m² where its picture is 1.
+pub(super) const BRIGHTNESS: f32 = 110.0;
+
+/// The light of the room.
+#[derive(Resource)]
+pub(super) struct Studio {
+    diffuse: Handle<Image>,
+    /// With the lamps, for surfaces that follow no rays.
+    whole: Handle<Image>,
+    /// Without.
+    beyond: Handle<Image>,
+}
+
+impl FromWorld for Studio {
+    fn from_world(world: &mut World) -> Self {
+        let room = levels();
+        let lit = |direction: Vec3, level: u32| {
+            let roughness = level as f32 / (room.len() - 1) as f32;
+            room[level as usize].towards(direction) + lamps(direction, roughness)
+        };
+        let count = room.len() as u32;
+        let mut images = world.resource_mut::<Assets<Image>>();
+        Self {
+            diffuse: images.add(cube(16, 1, |direction, _| soft(direction))),
+            whole: images.add(cube(SIDE, count, lit)),
+            beyond: images.add(cube(SIDE, count, |direction, level| {
+                room[level as usize].towards(direction)
+            })),
+        }
+    }
+}
+
+impl Studio {
+    /// Light from everywhere but the lamps themselves.
+    pub fn light(&self) -> EnvironmentMapLight {
+        EnvironmentMapLight {
+            diffuse_map: self.diffuse.clone(),
+            specular_map: self.whole.clone(),
+            intensity: BRIGHTNESS,
+            ..default()
+        }
+    }
+
+    /// The room without the lamps, as a cube map.
+    pub fn beyond(&self) -> Handle<Image> {
+        self.beyond.clone()
     }
 }
 
 /// What a rough white surface with this normal gathers.
-fn soft(normal: Vec3) -> Vec3 {
+pub(super) fn soft(normal: Vec3) -> Vec3 {
     let up = 0.5 + 0.5 * normal.y;
-    Vec3::new(0.30, 0.29, 0.28).lerp(Vec3::new(1.0, 0.96, 0.9), up * up)
+    Vec3::new(0.16, 0.145, 0.125).lerp(Vec3::new(0.44, 0.40, 0.34), up * up)
 }
 
-/// What a mirror of this roughness shows in this direction.
-fn mirrored(direction: Vec3, roughness: f32) -> Vec3 {
+/// The room in all directions, at one sharpness.
+struct Around {
+    side: u32,
+    texels: Vec<Vec3>,
+}
+
+impl Around {
+    fn towards(&self, direction: Vec3) -> Vec3 {
+        let (face, x, y) = place(direction);
+        let at = |v: f32| (((0.5 + 0.5 * v) * self.side as f32) as u32).min(self.side - 1);
+        self.texels[((face * self.side + at(y)) * self.side + at(x)) as usize]
+    }
+
+    /// Half as sharp, and a little blurred.
+    fn halved(&self) -> Self {
+        let side = (self.side / 2).max(1);
+        let mut texels = Vec::with_capacity((6 * side * side) as usize);
+        let spread = 1.5 / self.side as f32;
+        for face in 0..6 {
+            for y in 0..side {
+                for x in 0..side {
+                    let at = |i: u32| 2.0 * (i as f32 + 0.5) / side as f32 - 1.0;
+                    let mut sum = Vec3::ZERO;
+                    for dx in [-3.0, -1.0, 1.0, 3.0] {
+                        for dy in [-3.0, -1.0, 1.0, 3.0] {
+                            let (x, y) = (at(x) + 0.66 * dx * spread, at(y) + 0.66 * dy * spread);
+                            sum += self.towards(direction(face, x, y));
+                        }
+                    }
+                    texels.push(sum / 16.0);
+                }
+            }
+        }
+        Self { side, texels }
+    }
+}
+
+/// The room from sharp to rough.
+fn levels() -> Vec<Around> {
+    let mut texels = Vec::with_capacity((6 * SIDE * SIDE) as usize);
+    for face in 0..6 {
+        for y in 0..SIDE {
+            for x in 0..SIDE {
+                let at = |i: u32| 2.0 * (i as f32 + 0.5) / SIDE as f32 - 1.0;
+                let towards = direction(face, at(x), at(y));
+                // Cube maps are left-handed.
+                texels.push(seen_towards(towards.with_z(-towards.z)));
+            }
+        }
+    }
+    let mut levels = vec![Around { side: SIDE, texels }];
+    while let Some(last) = levels.last().filter(|last| last.side > 2) {
+        levels.push(last.halved());
+    }
+    levels
+}
+
+/// The lamps in a mirror of this roughness.
+fn lamps(direction: Vec3, roughness: f32) -> Vec3 {
     let blur = 0.015 + 0.55 * roughness * roughness;
     let up = direction.y;
-    let wall = Vec3::new(0.16, 0.145, 0.13);
-    let ceiling = Vec3::new(0.36, 0.34, 0.31);
-    let floor = Vec3::new(0.05, 0.07, 0.065);
-    let mut light = wall
-        .lerp(ceiling, edge(up - 0.55, blur))
-        .lerp(floor, edge(-up - 0.03, blur.max(0.12)));
+    let mut light = Vec3::ZERO;
     if up > 0.0 {
         // Lamps hang in one row along the table; seen on a plane one metre up.
         let (x, z) = (direction.x / up, direction.z / up);
         let width = blur / up.max(0.2);
-        for lamp in [-0.85, 0.0, 0.85] {
-            let along = edge(0.27 - (x - lamp).abs(), width);
-            let across = edge(0.13 - z.abs(), width);
+        for lamp in [-0.72, 0.0, 0.72] {
+            let along = edge(0.22 - (x - lamp).abs(), width);
+            let across = edge(0.15 - z.abs(), width);
             // A blurred lamp spreads the same light wider.
-            let spread = 0.27 * 0.13 / ((0.27 + width) * (0.13 + width));
-            light += 26.0 * spread * along * across * Vec3::new(1.0, 0.95, 0.86);
+            let spread = 0.22 * 0.15 / ((0.22 + width) * (0.15 + width));
+            light += 10.0 * spread * along * across * Vec3::new(1.0, 0.95, 0.86);
         }
     }
     light
@@ -61,17 +152,16 @@ fn edge(x: f32, width: f32) -> f32 {
     t * t * (3.0 - 2.0 * t)
 }
 
-/// A cube map with this many mip levels; `light` gets a direction and the roughness of its level, 0 to 1.
-fn cube(side: u32, levels: u32, light: impl Fn(Vec3, f32) -> Vec3) -> Image {
+/// A cube map with this many mip levels; `light` gets a direction and the level.
+fn cube(side: u32, levels: u32, light: impl Fn(Vec3, u32) -> Vec3) -> Image {
     let mut data = Vec::new();
     for face in 0..6 {
         for level in 0..levels {
             let n = (side >> level).max(1);
-            let roughness = level as f32 / (levels.max(2) - 1) as f32;
             for y in 0..n {
                 for x in 0..n {
                     let at = |i: u32| 2.0 * (i as f32 + 0.5) / n as f32 - 1.0;
-                    let value = light(direction(face, at(x), at(y)), roughness);
+                    let value = light(direction(face, at(x), at(y)), level);
                     let texel = [value.x, value.y, value.z, 1.0];
                     data.extend(texel.into_iter().flat_map(|v| half(v).to_le_bytes()));
                 }
@@ -116,8 +206,43 @@ fn direction(face: u32, x: f32, y: f32) -> Vec3 {
     .normalize()
 }
 
+/// The face and the place on it, −1 to 1, that [`direction`] leads from.
+fn place(direction: Vec3) -> (u32, f32, f32) {
+    let size = direction.abs();
+    let Vec3 { x, y, z } = direction;
+    if size.x >= size.y.max(size.z) {
+        let face = u32::from(x < 0.0);
+        (face, -z / size.x * x.signum(), -y / size.x)
+    } else if size.y >= size.z {
+        let face = 2 + u32::from(y < 0.0);
+        (face, x / size.y, z / size.y * y.signum())
+    } else {
+        let face = 4 + u32::from(z < 0.0);
+        (face, x / size.z * z.signum(), -y / size.z)
+    }
+}
+
 /// A positive number as a half float, rounded towards zero.
 fn half(value: f32) -> u16 {
     let bits = value.clamp(0.0, 65_000.0).to_bits() >> 13;
     u16::try_from(bits.saturating_sub(112 << 10)).unwrap_or(0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_place_on_a_cube_is_found_again() {
+        for face in 0..6 {
+            for (x, y) in [(0.3, -0.7), (-0.9, 0.1), (0.0, 0.95)] {
+                let (f, u, v) = place(direction(face, x, y));
+                assert_eq!(f, face);
+                assert!(
+                    (u - x).abs() < 1e-5 && (v - y).abs() < 1e-5,
+                    "{face} {u} {v}"
+                );
+            }
+        }
+    }
 }

@@ -1,10 +1,11 @@
-//! What can be heard: tip, ball on ball, cushion, pocket, with loudness and pitch from the impulse; balls that roll; and
-//! the buttons of the panels.
+//! What can be heard: tip, ball on ball, cushion, pocket, with loudness and pitch from the impulse; balls that roll, each
+//! from where it is; what becomes of them in the pockets; and the buttons of the panels.
 //!
 //! The sounds are synthesised when the program starts. Without a sound device nothing is heard and nothing piles up:
 //! every voice ends by its own clock, whether anybody played it or not.
 
 mod click;
+mod gully;
 mod lost;
 mod rolling;
 mod synthesis;
@@ -69,7 +70,7 @@ pub(super) fn plugin(app: &mut App) {
     app.init_resource::<Sounds>()
         .add_systems(Startup, synthesise)
         .add_observer(give_ears)
-        .add_plugins((click::plugin, lost::plugin, rolling::plugin))
+        .add_plugins((click::plugin, gully::plugin, lost::plugin, rolling::plugin))
         .add_systems(
             RunFixedMainLoop,
             (end, hear).chain().in_set(WindowSystems::Present),
@@ -205,4 +206,36 @@ fn character(hit: &Hit) -> (f32, usize, f32) {
     let chance = (hit.time * 7919.0 + hit.at.x * 104_729.0).rem_euclid(1.0);
     let pitch = 0.92 + 0.12 * loudness + 0.06 * (chance - 0.5);
     (loudness as f32, hardness, pitch as f32)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of(sound: Sound, impulse: f64) -> (f32, usize, f32) {
+        character(&Hit {
+            sound,
+            impulse,
+            at: DVec3::ZERO,
+            time: 0.0,
+        })
+    }
+
+    #[test]
+    fn a_harder_hit_is_louder_harder_and_higher() {
+        let mut last = of(Sound::Balls, QUIETEST);
+        assert!(last.0 < 0.02);
+        for impulse in [0.005, 0.02, 0.08, 0.3, 1.0] {
+            let now = of(Sound::Balls, impulse);
+            assert!(
+                now.0 > last.0 && now.1 >= last.1 && now.2 > last.2,
+                "{impulse}"
+            );
+            last = now;
+        }
+        assert_eq!(last.0, 1.0);
+        // Ten times the impulse is four times as loud: twelve decibels.
+        let ratio = of(Sound::Balls, 0.5).0 / of(Sound::Balls, 0.05).0;
+        assert!((20.0 * libm::log10f(ratio) - 12.0).abs() < 0.1);
+    }
 }

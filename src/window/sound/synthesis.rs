@@ -100,9 +100,59 @@ fn mode(loudness: f32, frequency: f32, band: f32) -> An<impl AudioNode<Inputs = 
 /// # Errors
 /// [`hound::Error`] if the samples cannot be written.
 pub(super) fn wav(sound: Sound, hardness: usize) -> Result<Vec<u8>, hound::Error> {
-    let mut source = sound.source(hardness);
-    let wave = Wave::render(f64::from(RATE), LENGTH.as_secs_f64(), &mut *source);
-    let samples: Vec<f32> = (0..wave.length()).map(|i| wave.at(0, i)).collect();
+    file(&rendered(&mut *sound.source(hardness), LENGTH))
+}
+
+fn rendered(source: &mut dyn AudioUnit, length: Duration) -> Vec<f32> {
+    let wave = Wave::render(f64::from(RATE), length.as_secs_f64(), source);
+    (0..wave.length()).map(|i| wave.at(0, i)).collect()
+}
+
+/// Length of the sound of a ball that comes back below the table.
+pub(super) const RETURN: Duration = Duration::from_millis(2200);
+
+/// A ball that runs down the wooden gully below the table, over its joints, and knocks against those that are there, as a
+/// WAV file in memory.
+///
+/// # Errors
+/// [`hound::Error`] if the samples cannot be written.
+pub(super) fn ball_return() -> Result<Vec<u8>, hound::Error> {
+    // Seconds after the drop: when the run begins and when it ends in a knock.
+    const BEGINS: f32 = 0.15;
+    const KNOCKS: f32 = 1.75;
+    let mut wood = brown()
+        >> lowpass_hz(900.0, 0.6)
+        >> (mode(1.0, 165.0, 60.0) & mode(0.8, 310.0, 90.0) & mode(0.35, 720.0, 200.0));
+    let mut samples = rendered(&mut wood, RETURN);
+    let loudest = samples
+        .iter()
+        .fold(f32::MIN_POSITIVE, |m, s| m.max(s.abs()));
+    for (i, sample) in samples.iter_mut().enumerate() {
+        let time = i as f32 / RATE as f32;
+        let run = ((time - BEGINS) / (KNOCKS - BEGINS)).clamp(0.0, 1.0);
+        // It gathers speed, and beats on the joints of the gully faster and faster.
+        let joint = (9.0 * run * run).fract();
+        let beat = 0.55 + 0.45 * libm::expf(-9.0 * joint);
+        let on = if (BEGINS..KNOCKS).contains(&time) {
+            1.0
+        } else {
+            0.0
+        };
+        let fade = (12.0 * run).min(1.0) * (25.0 * (1.0 - run)).min(1.0);
+        *sample *= 0.42 * on * fade * beat * (0.35 + 0.65 * run) / loudest;
+    }
+    let knock = rendered(&mut *Sound::Balls.source(0), LENGTH);
+    let box_of_wood = rendered(&mut *Sound::Pocket.source(0), LENGTH);
+    let peak = |samples: &[f32]| {
+        samples
+            .iter()
+            .fold(f32::MIN_POSITIVE, |m, s| m.max(s.abs()))
+    };
+    let (hard, dull) = (0.8 / peak(&knock), 0.6 / peak(&box_of_wood));
+    let at = (KNOCKS * RATE as f32) as usize;
+    for (sample, (a, b)) in samples[at..].iter_mut().zip(knock.iter().zip(&box_of_wood)) {
+        *sample += hard * a + dull * b;
+    }
     file(&samples)
 }
 
@@ -196,6 +246,58 @@ mod tests {
         let within = samples.windows(2).map(|pair| step(pair[0], pair[1])).max();
         let seam = step(samples[0], samples[samples.len() - 1]);
         assert!(Some(seam) <= within, "{seam} {within:?}");
+    }
+
+    /// The share of the energy of some samples that lies below a frequency in Hz.
+    fn share_below(samples: &[f32], frequency: f64) -> f64 {
+        // One tone every 40 Hz up to 12 kHz is fine enough for modes tens of hertz wide.
+        let power = |tone: f64| {
+            let (mut sine, mut cosine) = (0.0, 0.0);
+            for (i, sample) in samples.iter().enumerate() {
+                let turn = std::f64::consts::TAU * tone * i as f64 / f64::from(RATE);
+                sine += f64::from(*sample) * libm::sin(turn);
+                cosine += f64::from(*sample) * libm::cos(turn);
+            }
+            sine * sine + cosine * cosine
+        };
+        let tones = (1..300).map(|i| 40.0 * f64::from(i));
+        let (mut low, mut all) = (0.0, 0.0);
+        for tone in tones {
+            let power = power(tone);
+            all += power;
+            if tone < frequency {
+                low += power;
+            }
+        }
+        low / all
+    }
+
+    #[test]
+    fn balls_click_high_and_cushions_and_pockets_thud_low() {
+        let share = |sound, frequency| share_below(&samples(sound, 1)[..4410], frequency);
+        assert!(share(Sound::Balls, 1500.0) < 0.05);
+        assert!(share(Sound::Cushion, 500.0) > 0.9);
+        assert!(share(Sound::Pocket, 1000.0) > 0.9);
+        let tip = share(Sound::Tip, 1000.0);
+        assert!(share(Sound::Balls, 1000.0) < tip && tip < share(Sound::Cushion, 1000.0));
+    }
+
+    #[test]
+    fn a_ball_that_comes_back_runs_louder_and_louder_and_ends_in_a_knock() {
+        let bytes = ball_return().expect("memory can be written");
+        let reader = hound::WavReader::new(Cursor::new(bytes)).expect("a WAV file");
+        let samples: Vec<f32> = reader
+            .into_samples::<i16>()
+            .map(|s| f32::from(s.expect("16 bits")) / f32::from(i16::MAX))
+            .collect();
+        let loudness = |from: f32, until: f32| {
+            let part = &samples[(from * RATE as f32) as usize..(until * RATE as f32) as usize];
+            (part.iter().map(|s| s * s).sum::<f32>() / part.len() as f32).sqrt()
+        };
+        assert!(loudness(0.0, 0.1) < 1e-3);
+        assert!(loudness(0.3, 0.7) > 0.005 && loudness(1.2, 1.6) > 1.5 * loudness(0.3, 0.7));
+        assert!(loudness(1.75, 1.78) > 2.0 * loudness(1.2, 1.6));
+        assert!(loudness(2.15, 2.2) < 0.02);
     }
 
     #[test]

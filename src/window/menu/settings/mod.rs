@@ -11,7 +11,7 @@ pub(super) use ask::{asks, is_asking};
 use bevy::prelude::*;
 use bevy_egui::egui;
 
-use super::rows;
+use super::{equipment, rows};
 use crate::game::settings::{Settings, SettingsFile};
 use crate::window::language::Language;
 use crate::window::page::{AddPages, Open, Page, PageId, Pages};

@@ -9,6 +9,7 @@ use bevy::prelude::*;
 use crate::window::render::balls::palette::{Marking, look, pattern};
 use crate::window::render::balls::skin::{direction, skin};
 use crate::window::render::quality::RenderQuality;
+use crate::window::render::stage::{BallMaterial, Gloss};
 
 /// Meshes and materials of balls, made when the first ball needs them.
 #[derive(Resource)]
@@ -17,7 +18,7 @@ pub(super) struct Looks {
     shade: Handle<Mesh>,
     shade_material: Handle<StandardMaterial>,
     quality: RenderQuality,
-    made: HashMap<(Marking, [u32; 3], (u32, u32)), Handle<StandardMaterial>>,
+    made: HashMap<(Marking, [u32; 3], (u32, u32)), Handle<BallMaterial>>,
 }
 
 impl FromWorld for Looks {
@@ -56,6 +57,10 @@ impl Looks {
         }
     }
 
+    pub fn quality(&self) -> RenderQuality {
+        self.quality
+    }
+
     pub fn globe(&self) -> Handle<Mesh> {
         self.globe.clone()
     }
@@ -73,26 +78,32 @@ impl Looks {
         &mut self,
         name: &str,
         patterned: bool,
+        gloss: &Gloss,
         images: &mut Assets<Image>,
-        materials: &mut Assets<StandardMaterial>,
-    ) -> Handle<StandardMaterial> {
+        materials: &mut Assets<BallMaterial>,
+    ) -> Handle<BallMaterial> {
         let (colour, marking) = look(name);
         let quality = self.quality;
         let pattern = if patterned { pattern(name) } else { (0, 0) };
         self.made
             .entry((marking, colour.map(f32::to_bits), pattern))
             .or_insert_with(|| {
-                materials.add(StandardMaterial {
-                    base_color_texture: Some(images.add(skin(
-                        colour,
-                        marking,
-                        pattern,
-                        quality.anisotropy(),
-                    ))),
-                    // Phenolic resin, polished.
-                    perceptual_roughness: 0.13,
-                    reflectance: 0.55,
-                    ..default()
+                let paint = skin(
+                    colour,
+                    marking,
+                    pattern,
+                    quality.finer(),
+                    quality.anisotropy(),
+                );
+                materials.add(BallMaterial {
+                    base: StandardMaterial {
+                        base_color_texture: Some(images.add(paint)),
+                        // Phenolic resin, polished.
+                        perceptual_roughness: 0.13,
+                        reflectance: 0.55,
+                        ..default()
+                    },
+                    extension: gloss.clone(),
                 })
             })
             .clone()

@@ -8,7 +8,9 @@ mod palette;
 mod skin;
 mod twin;
 
+pub(super) use motion::Globe;
 pub use motion::Turn;
+pub(super) use palette::{Marking, look};
 
 use bevy::light::{NotShadowCaster, NotShadowReceiver};
 use bevy::prelude::*;
@@ -19,8 +21,10 @@ use crate::sim::components::{BallIndex, BallName, Position, Radius};
 use crate::sim::playfield::Playfield;
 use crate::window::render::Drawing;
 use crate::window::render::quality::RenderQuality;
+use crate::window::render::stage::{BallMaterial, Stage};
+use crate::window::render::studio::Studio;
 use globe::Looks;
-use motion::{Globe, Shade, Track};
+use motion::{Shade, Track};
 
 pub(super) fn plugin(app: &mut App) {
     app.init_resource::<Looks>()
@@ -42,23 +46,24 @@ pub(super) fn plugin(app: &mut App) {
 fn change_clothes(
     mut looks: ResMut<Looks>,
     mut images: ResMut<Assets<Image>>,
-    mut materials: ResMut<Assets<StandardMaterial>>,
+    mut materials: ResMut<Assets<BallMaterial>>,
     mut meshes: ResMut<Assets<Mesh>>,
     settings: Res<Settings>,
-    quality: Res<RenderQuality>,
+    (quality, stage, studio): (Res<RenderQuality>, Res<Stage>, Res<Studio>),
     mut worn: Local<Option<(Marks, RenderQuality)>>,
     balls: Query<(&BallName, &Children)>,
-    mut globes: Query<(&mut Mesh3d, &mut MeshMaterial3d<StandardMaterial>), With<Globe>>,
+    mut globes: Query<(&mut Mesh3d, &mut MeshMaterial3d<BallMaterial>), With<Globe>>,
 ) {
     let wanted = (settings.marks, *quality);
-    let before = worn.replace(wanted);
-    if before.is_none_or(|before| before == wanted) {
+    // Balls may have been dressed before the settings were read.
+    if worn.replace(wanted) == Some(wanted) {
         return;
     }
     looks.suit(*quality, &mut meshes);
+    let gloss = stage.gloss(*quality, &studio);
     for (name, children) in &balls {
         let patterned = settings.marks.patterns;
-        let material = looks.material(&name.0, patterned, &mut images, &mut materials);
+        let material = looks.material(&name.0, patterned, &gloss, &mut images, &mut materials);
         let mut globes = globes.iter_many_mut(children);
         while let Some((mut mesh, mut worn)) = globes.fetch_next() {
             mesh.0 = looks.globe();
@@ -77,8 +82,9 @@ fn dress(
     mut commands: Commands,
     mut looks: ResMut<Looks>,
     mut images: ResMut<Assets<Image>>,
-    mut materials: ResMut<Assets<StandardMaterial>>,
+    mut materials: ResMut<Assets<BallMaterial>>,
     settings: Res<Settings>,
+    (stage, studio): (Res<Stage>, Res<Studio>),
     balls: Query<(&BallIndex, &BallName, &Position, &Radius)>,
     playfield: Res<Playfield>,
 ) {
@@ -90,7 +96,8 @@ fn dress(
         return;
     };
     let patterned = settings.marks.patterns;
-    let material = looks.material(&name.0, patterned, &mut images, &mut materials);
+    let gloss = stage.gloss(looks.quality(), &studio);
+    let material = looks.material(&name.0, patterned, &gloss, &mut images, &mut materials);
     let scale = Vec3::splat(radius.0 as f32);
     let turn = motion::resting_turn(index.0, &name.0);
     commands.entity(added.entity).insert((

@@ -11,6 +11,7 @@ use crate::sim::clock::Clock;
 use crate::sim::components::{AngularVelocity, MotionKind, Position, Radius, Velocity};
 use crate::sim::playfield::Playfield;
 use crate::window::render::balls::fall::Fall;
+use crate::window::render::stage::Stage;
 
 /// How the markings of a ball are turned.
 #[derive(Component, Clone, Copy, Debug, PartialEq)]
@@ -40,7 +41,7 @@ impl Track {
 
 /// The drawn sphere of a ball: a child of the ball, so that it alone turns.
 #[derive(Component)]
-pub(super) struct Globe;
+pub(in crate::window::render) struct Globe;
 
 /// The shade below a ball.
 #[derive(Component)]
@@ -133,6 +134,7 @@ fn nearest_room(playfield: &Playfield, at: DVec3) -> f64 {
 /// Puts every ball on the screen between its last two states.
 pub(super) fn place(
     fixed: Res<Time<Fixed>>,
+    stage: Res<Stage>,
     mut balls: Query<(&Track, &Turn, &Children, &mut Transform, &mut Visibility)>,
     mut globes: Query<&mut Transform, (With<Globe>, Without<Track>)>,
     mut shades: Query<&mut Visibility, (With<Shade>, Without<Track>)>,
@@ -161,7 +163,7 @@ pub(super) fn place(
         }
         let mut shades = shades.iter_many_mut(children);
         while let Some(mut shade) = shades.fetch_next() {
-            shade.set_if_neq(if track.fall.is_some() {
+            shade.set_if_neq(if track.fall.is_some() || stage.traces {
                 Visibility::Hidden
             } else {
                 Visibility::Inherited

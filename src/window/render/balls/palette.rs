@@ -2,7 +2,7 @@
 
 /// How a ball is marked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) enum Marking {
+pub(in crate::window::render) enum Marking {
     /// One colour, a number in a white circle on two sides.
     Solid(u8),
     /// A broad band of colour on white, a number in a white circle on two sides.
@@ -12,7 +12,7 @@ pub(super) enum Marking {
 }
 
 /// sRGB colour of a ball, 0 to 1.
-pub(super) type Colour = [f32; 3];
+pub(in crate::window::render) type Colour = [f32; 3];
 
 /// What white is on a ball.
 pub(super) const IVORY: Colour = [0.93, 0.905, 0.83];
@@ -30,7 +30,7 @@ const POOL: [Colour; 8] = [
 ];
 
 /// Colour and marking of a ball with this name.
-pub(super) fn look(name: &str) -> (Colour, Marking) {
+pub(in crate::window::render) fn look(name: &str) -> (Colour, Marking) {
     if let Ok(number @ 1..=15) = name.parse::<u8>() {
         let colour = POOL[usize::from((number - 1) % 8)];
         return if number > 8 {

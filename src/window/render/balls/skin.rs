@@ -26,13 +26,15 @@ pub(super) fn skin(
     colour: Colour,
     marking: Marking,
     pattern: (u32, u32),
+    finer: u32,
     anisotropy: u16,
 ) -> Image {
     let numeral = match marking {
         Marking::Solid(number) | Marking::Stripe(number) => Some(Numeral::new(number)),
         Marking::Dots => None,
     };
-    paint(Paint::Colour, SIZE, anisotropy, |u, v| {
+    let size = (SIZE.0 << finer, SIZE.1 << finer);
+    paint(Paint::Colour, size, anisotropy, |u, v| {
         let direction = direction(u, v);
         let ink = if light(colour) > 0.3 {
             [0.02, 0.02, 0.025]

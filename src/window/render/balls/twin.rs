@@ -10,6 +10,8 @@ use crate::game::settings::{Marks, Settings};
 use crate::game::twin::Twin;
 use crate::sim::components::{BallIndex, BallName, MotionKind, Position, Radius};
 use crate::window::render::quality::RenderQuality;
+use crate::window::render::stage::{BallMaterial, Stage};
+use crate::window::render::studio::Studio;
 use crate::window::render::twin::{alone, is_shown};
 
 /// A ball of the twin.
@@ -32,12 +34,13 @@ pub(super) fn dress(
     mut commands: Commands,
     mut looks: ResMut<Looks>,
     mut images: ResMut<Assets<Image>>,
-    mut materials: ResMut<Assets<StandardMaterial>>,
+    mut materials: ResMut<Assets<BallMaterial>>,
     (view, settings, quality): (
         Res<crate::game::view::View>,
         Res<Settings>,
         Res<RenderQuality>,
     ),
+    (stage, studio): (Res<Stage>, Res<Studio>),
     mut worn: Local<Option<(Marks, RenderQuality)>>,
     balls: Query<(Entity, &BallIndex, &BallName, &Radius)>,
     twins: Query<(Entity, &TwinBall)>,
@@ -56,9 +59,10 @@ pub(super) fn dress(
     if !is_wanted {
         return;
     }
+    let gloss = stage.gloss(looks.quality(), &studio);
     for (ball, index, name, radius) in &balls {
         let patterned = settings.marks.patterns;
-        let material = looks.material(&name.0, patterned, &mut images, &mut materials);
+        let material = looks.material(&name.0, patterned, &gloss, &mut images, &mut materials);
         commands
             .spawn((
                 TwinBall {

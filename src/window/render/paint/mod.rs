@@ -16,6 +16,8 @@ pub(super) enum Paint {
     Colour,
     /// A direction: x, y, z from −1 to 1.
     Normal,
+    /// Numbers from 0 to 1.
+    Shares,
 }
 
 /// Paints a texture with all its mip levels. `texel` gets the place from 0 to 1 across and down. Width and height are
@@ -53,7 +55,7 @@ pub(super) fn paint(
         TextureDimension::D2,
         match paint {
             Paint::Colour => TextureFormat::Rgba8UnormSrgb,
-            Paint::Normal => TextureFormat::Rgba8Unorm,
+            Paint::Normal | Paint::Shares => TextureFormat::Rgba8Unorm,
         },
         RenderAssetUsages::RENDER_WORLD,
     );
@@ -74,7 +76,7 @@ pub(super) fn paint(
 fn bytes(paint: Paint, value: [f32; 3]) -> [u8; 4] {
     let byte = |x: f32| (x.clamp(0.0, 1.0) * 255.0).round() as u8;
     let [r, g, b] = match paint {
-        Paint::Colour => value,
+        Paint::Colour | Paint::Shares => value,
         Paint::Normal => value.map(|x| 0.5 * x + 0.5),
     };
     [byte(r), byte(g), byte(b), 255]

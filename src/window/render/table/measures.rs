@@ -6,7 +6,7 @@ use crate::physics::table::{Cushion, Table};
 
 /// Sizes in m that the rules leave to the maker, chosen to suit the table.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Measures {
+pub(in crate::window::render) struct Measures {
     /// Half the playing surface along x and z.
     pub half: DVec2,
     /// From the nose line back to the wood.
@@ -19,6 +19,8 @@ pub(super) struct Measures {
     pub top: f64,
     /// Thickness of the rim around a pocket.
     pub rim: f64,
+    /// Height of the lower edge of the frame: below the slate, and below whatever pockets there are.
+    pub apron: f64,
     /// How small the table is beside a nine-foot one, at most 1.
     pub scale: f64,
 }
@@ -50,6 +52,11 @@ impl Measures {
             nose: table.nose_height,
             top: table.rail_height(),
             rim: 0.013,
+            apron: (table.rail_height() - 0.19 * scale).min(if table.pockets.is_empty() {
+                -0.03
+            } else {
+                super::pockets::BOTTOM
+            }),
             scale,
         }
     }

@@ -7,25 +7,28 @@ mod noses;
 mod pockets;
 mod shading;
 mod surfaces;
+mod wear;
 
-pub(super) use measures::FLOOR;
+pub(super) use measures::{FLOOR, Measures};
+pub(super) use surfaces::Dyes;
 
 use bevy::light::{NotShadowCaster, NotShadowReceiver};
 use bevy::math::{DVec2, DVec3};
 use bevy::prelude::*;
 
-use crate::game::settings::Settings;
+use crate::game::settings::{Settings, TableStyle};
 use crate::physics::table::Table;
 use crate::sim::playfield::Playfield;
 use crate::window::render::plan::{area, circle};
 use crate::window::render::solid::Solid;
+use crate::window::render::stage::{ClothMaterial, Stage};
+use crate::window::render::studio::Studio;
 use crate::window::render::{Drawing, quality::RenderQuality, twin};
-use measures::Measures;
 use noses::Noses;
-use surfaces::{Finish, Surfaces};
+use surfaces::{Cover, Finish, Surfaces};
 
 pub(super) fn plugin(app: &mut App) {
-    app.add_systems(
+    app.init_resource::<Dyes>().add_systems(
         RunFixedMainLoop,
         build.in_set(Drawing::Table).run_if(
             resource_exists_and_changed::<Playfield>
@@ -47,8 +50,12 @@ struct Furniture;
 fn build(
     mut commands: Commands,
     mut meshes: ResMut<Assets<Mesh>>,
-    mut materials: ResMut<Assets<StandardMaterial>>,
+    (mut materials, mut cloths): (
+        ResMut<Assets<StandardMaterial>>,
+        ResMut<Assets<ClothMaterial>>,
+    ),
     mut images: ResMut<Assets<Image>>,
+    (stage, studio, mut dyes): (Res<Stage>, Res<Studio>, ResMut<Dyes>),
     mut drawn: Local<Option<(Table, Finish, Surfaces)>>,
     playfield: Res<Playfield>,
     quality: Res<RenderQuality>,
@@ -60,6 +67,7 @@ fn build(
         quality: *quality,
         cloth: settings.cloth,
         wood: settings.wood,
+        style: settings.table,
     };
     let surfaces = match drawn.take() {
         Some((old, as_now, surfaces)) if as_now == finish => {
@@ -69,21 +77,28 @@ fn build(
             }
             surfaces
         }
-        _ => Surfaces::new(finish, &mut images, &mut materials),
+        _ => {
+            *dyes = finish.dyes();
+            let gloss = stage.gloss(*quality, &studio);
+            Surfaces::new(finish, gloss, &mut images, &mut materials, &mut cloths)
+        }
     };
     for entity in &old {
         commands.entity(entity).despawn();
     }
-    for part in parts(table) {
+    for part in parts(table, settings.table) {
         if part.solid.is_empty() {
             continue;
         }
         let mut entity = commands.spawn((
             Furniture,
             Mesh3d(meshes.add(part.solid.mesh())),
-            MeshMaterial3d(surfaces.get(part.surface)),
             twin::both(),
         ));
+        match surfaces.get(part.surface) {
+            Cover::Cloth(cloth) => entity.insert(MeshMaterial3d(cloth)),
+            Cover::Plain(material) => entity.insert(MeshMaterial3d(material)),
+        };
         if !part.casts_shadow {
             entity.insert(NotShadowCaster);
         }
@@ -104,7 +119,8 @@ fn build(
 enum Surface {
     Cloth,
     Wood,
-    Leather,
+    Rim,
+    Metal,
     Pearl,
     Hole,
     Mark,
@@ -131,7 +147,7 @@ impl Part {
 }
 
 /// Every part of a table.
-fn parts(table: &Table) -> Vec<Part> {
+fn parts(table: &Table, style: TableStyle) -> Vec<Part> {
     let measures = Measures::of(table);
     let noses = Noses::of(table, &measures);
     let holes: Vec<Vec<DVec2>> = table
@@ -161,10 +177,10 @@ fn parts(table: &Table) -> Vec<Part> {
 
     // Out of sight: it keeps the light of the lamps from the floor.
     let mut bottom = Part::new(Surface::Hole, DVec3::X, true);
-    bottom.solid.lid(
-        outline.map(|p| p * measures.outer() / corner),
-        pockets::BOTTOM,
-    );
+    let under = measures.outer() - (frame::STEP + 0.001) * measures.scale;
+    bottom
+        .solid
+        .lid(outline.map(|p| p * under / corner), measures.apron);
 
     let mut cushions = Part::new(Surface::Cloth, DVec3::X, true);
     for points in &noses.rails {
@@ -178,7 +194,7 @@ fn parts(table: &Table) -> Vec<Part> {
     frame::skirt(&mut long.solid, &measures);
 
     let mut upright = Part::new(Surface::Wood, DVec3::Y, true);
-    frame::legs(&mut upright.solid, &measures);
+    frame::legs(&mut upright.solid, &measures, style);
     for line in &noses.walls {
         cushions::wall(&mut upright.solid, line, &measures);
     }
@@ -186,15 +202,24 @@ fn parts(table: &Table) -> Vec<Part> {
         cushions::peg(&mut upright.solid, arc, &measures);
     }
 
-    let mut leather = Part::new(Surface::Leather, DVec3::X, false);
+    let mut rims = Part::new(Surface::Rim, DVec3::X, false);
     let mut inside = Part::new(Surface::Hole, DVec3::X, false);
+    let mut metal = Part::new(Surface::Metal, DVec3::X, false);
     for pocket in &table.pockets {
-        pockets::rim(&mut leather.solid, pocket, &measures);
-        pockets::inside(&mut inside.solid, pocket);
+        pockets::rim(&mut rims.solid, pocket, &measures);
+        pockets::inside(&mut rims.solid, &mut inside.solid, pocket);
+        if style != TableStyle::Modern {
+            pockets::ring(&mut metal.solid, pocket, &measures);
+        }
+    }
+    match style {
+        TableStyle::BarBox => frame::corners(&mut metal.solid, &measures, &cuts),
+        TableStyle::Modern => frame::strip(&mut metal.solid, &measures),
+        TableStyle::Classic => {}
     }
 
     let mut pearl = Part::new(Surface::Pearl, DVec3::X, false);
-    frame::diamonds(&mut pearl.solid, &measures, &cuts);
+    frame::diamonds(&mut pearl.solid, &measures, &cuts, style);
 
     let mut marks = Part::new(Surface::Mark, DVec3::X, false);
     for spot in [table.foot_spot(), table.head_spot()] {
@@ -204,6 +229,6 @@ fn parts(table: &Table) -> Vec<Part> {
         }
     }
     vec![
-        bed, bottom, cushions, long, short, upright, leather, inside, pearl, marks,
+        bed, bottom, cushions, long, short, upright, rims, inside, metal, pearl, marks,
     ]
 }

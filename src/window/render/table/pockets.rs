@@ -1,4 +1,4 @@
-//! Pockets: the dark inside of the hole and the leather rim.
+//! Pockets: the inside of the hole, the rim, a ring of metal around it.
 
 use bevy::math::{DVec2, DVec3};
 
@@ -15,8 +15,11 @@ const DEEP: f64 = 0.16;
 /// Height of the underside of the table, m.
 pub(super) const BOTTOM: f64 = -DEEP - 0.01;
 
-/// The inside, lit by next to nothing.
-pub(super) fn inside(solid: &mut Solid, pocket: &Pocket) {
+/// How far down the lining of a hole can be seen, m.
+const LINED: f64 = 0.05;
+
+/// The inside: the `lining` below the edge, and the dark under it, lit by next to nothing.
+pub(super) fn inside(lining: &mut Solid, dark: &mut Solid, pocket: &Pocket) {
     let ring = |y: f64| -> Vec<(DVec3, DVec3)> {
         (0..=SIDES)
             .map(|i| {
@@ -25,18 +28,20 @@ pub(super) fn inside(solid: &mut Solid, pocket: &Pocket) {
             })
             .collect()
     };
-    solid.band(&ring(-DEEP), &ring(0.0));
+    lining.band(&ring(-LINED), &ring(0.0));
+    dark.band(&ring(-DEEP), &ring(-LINED));
     for i in 0..SIDES {
         let center = raise(pocket.center) - DEEP * DVec3::Y;
         let [a, b] = [i, i + 1].map(|i| place(pocket, pocket.radius, direction(i), -DEEP));
-        solid.patch([center, b, a, center], [DVec3::Y; 4]);
+        dark.patch([center, b, a, center], [DVec3::Y; 4]);
     }
 }
 
+/// Distance from the hole, height, slope outwards and up.
+type Profile = [(f64, f64, (f64, f64))];
+
 /// The rim where the hole cuts into the wood.
 pub(super) fn rim(solid: &mut Solid, pocket: &Pocket, measures: &Measures) {
-    let is_rim = |i: u32| measures.is_frame(pocket.center + pocket.radius * direction(i % SIDES));
-    // Distance from the hole, height, slope outwards and up.
     let (w, top) = (measures.rim, measures.top);
     let profile = [
         (0.0, 0.0, (-1.0, 0.0)),
@@ -46,6 +51,25 @@ pub(super) fn rim(solid: &mut Solid, pocket: &Pocket, measures: &Measures) {
         (0.85 * w, top + 0.18 * w, (0.7, 0.7)),
         (w, top - 0.1 * w, (1.0, 0.2)),
     ];
+    sweep(solid, pocket, measures, &profile);
+}
+
+/// A flat ring of metal around the rim.
+pub(super) fn ring(solid: &mut Solid, pocket: &Pocket, measures: &Measures) {
+    let (w, top) = (measures.rim, measures.top);
+    let profile = [
+        (0.99 * w, top - 0.1 * w, (-1.0, 0.3)),
+        (1.00 * w, top + 0.10 * w, (-0.5, 0.8)),
+        (1.06 * w, top + 0.14 * w, (0.0, 1.0)),
+        (1.45 * w, top + 0.12 * w, (0.2, 1.0)),
+        (1.60 * w, top - 0.05 * w, (1.0, 0.3)),
+    ];
+    sweep(solid, pocket, measures, &profile);
+}
+
+/// Sweeps a profile around the part of a hole that lies in the wood.
+fn sweep(solid: &mut Solid, pocket: &Pocket, measures: &Measures, profile: &Profile) {
+    let is_rim = |i: u32| measures.is_frame(pocket.center + pocket.radius * direction(i % SIDES));
     for i in (0..SIDES).filter(|&i| is_rim(i) && is_rim(i + 1)) {
         for pair in profile.windows(2) {
             let row = |&(off, y, (out, up)): &(f64, f64, (f64, f64))| {
@@ -59,14 +83,14 @@ pub(super) fn rim(solid: &mut Solid, pocket: &Pocket, measures: &Measures) {
         }
         for (at, is_end) in [(i, !is_rim(i + SIDES - 1)), (i + 1, !is_rim(i + 2))] {
             if is_end {
-                end(solid, pocket, direction(at), &profile);
+                end(solid, pocket, direction(at), profile);
             }
         }
     }
 }
 
 /// The cut face of the rim where the mouth begins, seen from both sides.
-fn end(solid: &mut Solid, pocket: &Pocket, away: DVec2, profile: &[(f64, f64, (f64, f64))]) {
+fn end(solid: &mut Solid, pocket: &Pocket, away: DVec2, profile: &Profile) {
     for pair in profile[1..].windows(2) {
         let [a, b] = [pair[0], pair[1]].map(|(off, y, _)| (pocket.radius + off, y));
         let corners = [
