@@ -25,6 +25,8 @@ pub(super) struct Photo {
     panel: bool,
     /// What became of the last picture, and whether it failed.
     news: Option<(String, bool)>,
+    /// Whether time stood still before.
+    held: bool,
 }
 
 /// Whether photo mode is off: then the table is played on as ever.
@@ -84,6 +86,7 @@ impl Photo {
                 lens: Lens::default(),
                 panel: true,
                 news: None,
+                held: false,
             };
         }
     }
@@ -118,7 +121,10 @@ fn switch(
             photo.panel = !photo.panel;
         }
     }
-    if photo.on && !time.is_paused() {
+    if photo.on {
+        if !*was_on {
+            photo.held = time.is_paused();
+        }
         time.pause();
     }
     if photo.on == *was_on {
@@ -132,7 +138,9 @@ fn switch(
         }
     }
     if !photo.on {
-        time.unpause();
+        if !photo.held {
+            time.unpause();
+        }
         for camera in &cameras {
             lens::put_away(&mut commands.entity(camera), *quality);
         }

@@ -8,6 +8,7 @@ use bevy::prelude::*;
 use bevy::render::render_resource::{
     Extent3d, TextureDimension, TextureFormat, TextureViewDescriptor, TextureViewDimension,
 };
+use rayon::prelude::*;
 
 use crate::window::render::room::seen_towards;
 
@@ -108,17 +109,17 @@ impl Around {
 
 /// The room from sharp to rough.
 fn levels() -> Vec<Around> {
-    let mut texels = Vec::with_capacity((6 * SIDE * SIDE) as usize);
-    for face in 0..6 {
-        for y in 0..SIDE {
-            for x in 0..SIDE {
-                let at = |i: u32| 2.0 * (i as f32 + 0.5) / SIDE as f32 - 1.0;
-                let towards = direction(face, at(x), at(y));
+    let texels = (0..6 * SIDE)
+        .into_par_iter()
+        .flat_map_iter(|row| {
+            let at = |i: u32| 2.0 * (i as f32 + 0.5) / SIDE as f32 - 1.0;
+            (0..SIDE).map(move |x| {
+                let towards = direction(row / SIDE, at(x), at(row % SIDE));
                 // Cube maps are left-handed.
-                texels.push(seen_towards(towards.with_z(-towards.z)));
-            }
-        }
-    }
+                seen_towards(towards.with_z(-towards.z))
+            })
+        })
+        .collect();
     let mut levels = vec![Around { side: SIDE, texels }];
     while let Some(last) = levels.last().filter(|last| last.side > 2) {
         levels.push(last.halved());

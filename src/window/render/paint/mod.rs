@@ -8,6 +8,7 @@ use bevy::asset::RenderAssetUsages;
 use bevy::image::{ImageAddressMode, ImageFilterMode, ImageSampler, ImageSamplerDescriptor};
 use bevy::prelude::*;
 use bevy::render::render_resource::{Extent3d, TextureDimension, TextureFormat};
+use rayon::prelude::*;
 
 /// What the numbers of a painted texture mean.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -26,15 +27,15 @@ pub(super) fn paint(
     paint: Paint,
     (width, height): (u32, u32),
     anisotropy: u16,
-    texel: impl Fn(f32, f32) -> [f32; 3],
+    texel: impl Fn(f32, f32) -> [f32; 3] + Sync,
 ) -> Image {
-    let mut level = Vec::with_capacity((width * height) as usize);
-    for y in 0..height {
-        for x in 0..width {
-            let place = |i: u32, n: u32| (i as f32 + 0.5) / n as f32;
-            level.push(texel(place(x, width), place(y, height)));
-        }
-    }
+    let place = |i: u32, n: u32| (i as f32 + 0.5) / n as f32;
+    let texel = &texel;
+    // The window waits for this: all cores paint.
+    let mut level: Vec<[f32; 3]> = (0..height)
+        .into_par_iter()
+        .flat_map_iter(|y| (0..width).map(move |x| texel(place(x, width), place(y, height))))
+        .collect();
     let mut data = Vec::with_capacity(level.len() * 6);
     let (mut w, mut h, mut levels) = (width, height, 0);
     loop {
