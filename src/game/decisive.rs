@@ -65,8 +65,10 @@ mod tests {
     fn at_the_pocket(scene: &Scene, speed: f64) -> Shot {
         let way = scene.table.pockets[0].center;
         Shot {
-            heading: libm::atan2(way.y, way.x),
+            heading: libm::atan2(-way.y, way.x),
             speed,
+            // The cue ball stays behind.
+            height: -0.35,
             ..Shot::default()
         }
     }

@@ -68,6 +68,8 @@ pub enum WindowSystems {
     Look,
     /// Trick shots and the studio: keys in [`PreUpdate`], after `Input`; panels in [`EguiPrimaryContextPass`], after `Ui`.
     Scenes,
+    /// Photo mode: keys in [`PreUpdate`], after `Scenes`; its panel in [`EguiPrimaryContextPass`], after `Overlay`.
+    Photo,
     /// Panels are laid out and read. Runs in [`EguiPrimaryContextPass`].
     Ui,
     /// What a match says and asks. Runs in [`EguiPrimaryContextPass`].
@@ -92,6 +94,7 @@ impl Plugin for WindowPlugin {
                     WindowSystems::Close.run_if(at_table()),
                     WindowSystems::Input.run_if(at_table()),
                     WindowSystems::Scenes.run_if(at_table()),
+                    WindowSystems::Photo,
                 )
                     .chain()
                     .after(InputManagerSystem::ManualControl)
@@ -108,6 +111,7 @@ impl Plugin for WindowPlugin {
                     WindowSystems::Match.run_if(at_table()),
                     WindowSystems::Scenes.run_if(at_table()),
                     WindowSystems::Overlay.run_if(photo::is_off),
+                    WindowSystems::Photo,
                     WindowSystems::Menu,
                 )
                     .chain(),

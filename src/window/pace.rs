@@ -10,8 +10,7 @@ use crate::game::replay::Replay;
 use crate::game::settings::Settings;
 use crate::game::turns::Turns;
 use crate::sim::clock::Clock;
-use crate::sim::messages::{Strike, Struck};
-use crate::window::WindowSystems;
+use crate::sim::messages::Strike;
 
 /// How fast time goes as the ball drops.
 const SLOWEST: f64 = 0.22;
@@ -24,18 +23,15 @@ const EASE: f64 = 0.18;
 pub(super) fn plugin(app: &mut App) {
     app.init_resource::<Decisive>()
         .add_message::<Strike>()
-        .add_message::<Struck>()
         .add_systems(
             RunFixedMainLoop,
-            (keep_pace, foresee)
+            (
+                keep_pace,
+                foresee,
+                slow_down.run_if(resource_exists::<Turns>),
+            )
                 .chain()
                 .in_set(RunFixedMainLoopSystems::BeforeFixedMainLoop),
-        )
-        .add_systems(
-            PreUpdate,
-            slow_down
-                .after(WindowSystems::Input)
-                .run_if(resource_exists::<Turns>),
         );
 }
 

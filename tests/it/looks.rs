@@ -78,7 +78,7 @@ fn every_quality_shows_cloth_balls_wood_and_shade() {
         let close = colour(&picture, -0.2 + 1.12 * Ball::POOL.radius, 0.0, 0.05)[1];
         assert!(close < 0.97 * open, "{quality:?}: no shade: {close} {open}");
         let half = 0.5 * scene().table.width;
-        let [red, _, blue] = colour(&picture, 0.25, 0.04, half + 0.1);
+        let [red, _, blue] = colour(&picture, 0.12, 0.04, half + 0.1);
         assert!(red > 1.3 * blue, "{quality:?}: mahogany {red} {blue}");
     }
 }

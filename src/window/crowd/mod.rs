@@ -68,7 +68,8 @@ pub(super) fn plugin(app: &mut App) {
             )
                 .chain()
                 .run_if(is_crowd.and_then(in_state(Screen::Table)))
-                .after(WindowSystems::Input),
+                .after(WindowSystems::Input)
+                .before(WindowSystems::Photo),
         )
         .add_systems(FixedFirst, pace::start)
         .add_systems(

@@ -6,11 +6,12 @@ mod panel;
 mod shoot;
 
 use bevy::prelude::*;
-use bevy_egui::{EguiContexts, EguiPrimaryContextPass, egui};
-use leafwing_input_manager::plugin::InputManagerSystem;
+use bevy_egui::input::EguiWantsInput;
+use bevy_egui::{EguiPrimaryContextPass, egui};
 use leafwing_input_manager::prelude::ActionState;
 
 use crate::window::action::Action;
+use crate::window::language::Language;
 use crate::window::page::{AddPages, Open, Page, PageId, Screen};
 use crate::window::{RenderQuality, WindowSystems};
 use lens::Lens;
@@ -46,7 +47,7 @@ pub(super) fn plugin(app: &mut App) {
                 title: "photo-title",
                 place: Some((PageId::MAIN, 35)),
             },
-            enter_from_menu,
+            page,
         )
         .add_plugins(shoot::plugin)
         .add_systems(
@@ -56,8 +57,7 @@ pub(super) fn plugin(app: &mut App) {
                 lens::steer.run_if(is_on),
             )
                 .chain()
-                .after(InputManagerSystem::ManualControl)
-                .after(WindowSystems::Scenes),
+                .in_set(WindowSystems::Photo),
         )
         .add_systems(
             RunFixedMainLoop,
@@ -68,14 +68,24 @@ pub(super) fn plugin(app: &mut App) {
         )
         .add_systems(
             EguiPrimaryContextPass,
-            panel::show.run_if(is_on).after(WindowSystems::Overlay),
+            panel::show.run_if(is_on).in_set(WindowSystems::Photo),
         );
 }
 
-/// The entry of the menu: it closes and the camera is there.
-fn enter_from_menu(InMut(_): InMut<egui::Ui>, mut open: ResMut<Open>, mut photo: ResMut<Photo>) {
-    open.close();
-    photo.begin();
+/// The page of the menu: what photo mode is, and the way into it.
+fn page(
+    InMut(ui): InMut<egui::Ui>,
+    language: Res<Language>,
+    mut open: ResMut<Open>,
+    mut photo: ResMut<Photo>,
+) {
+    ui.label(language.text("photo-about"));
+    ui.vertical_centered_justified(|ui| {
+        if ui.button(language.text("photo-begin")).clicked() {
+            open.close();
+            photo.begin();
+        }
+    });
 }
 
 impl Photo {
@@ -96,7 +106,7 @@ impl Photo {
 #[expect(clippy::too_many_arguments, reason = "keys, time, lines, cameras")]
 fn switch(
     mut commands: Commands,
-    mut contexts: EguiContexts,
+    egui: Res<EguiWantsInput>,
     actions: Single<&ActionState<Action>>,
     mut photo: ResMut<Photo>,
     mut time: ResMut<Time<Virtual>>,
@@ -105,9 +115,7 @@ fn switch(
     cameras: Query<Entity, With<Camera3d>>,
     mut was_on: Local<bool>,
 ) {
-    let typing = contexts
-        .ctx_mut()
-        .is_ok_and(|context| context.text_edit_focused());
+    let typing = egui.wants_any_keyboard_input();
     if actions.just_pressed(&Action::Photo) && !typing {
         if photo.on {
             photo.on = false;

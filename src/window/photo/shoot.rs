@@ -74,7 +74,7 @@ fn load(
     language: Res<Language>,
     device: Option<Res<RenderDevice>>,
     window: Query<&Window, With<PrimaryWindow>>,
-    cameras: Query<(&Transform, &Projection), (With<Camera3d>, Without<Film>)>,
+    cameras: Query<(&GlobalTransform, &Projection), (With<Camera3d>, Without<Film>)>,
     films: Query<(), With<Film>>,
 ) {
     if wanted.read().count() == 0 || !films.is_empty() {
@@ -113,7 +113,7 @@ fn load(
         },
         RenderTarget::Image(image.into()),
         projection.clone(),
-        *place,
+        place.compute_transform(),
         lens::grading(&photo.lens),
     ));
     if let Some(mut depth) = lens::depth_of_field(&photo.lens, *quality) {

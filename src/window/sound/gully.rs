@@ -35,7 +35,7 @@ struct Falling {
 pub(super) fn plugin(app: &mut App) {
     app.init_resource::<Gully>()
         .init_resource::<Falling>()
-        .add_systems(Startup, begin)
+        .add_systems(Startup, begin.after(super::rolling::begin))
         .add_systems(
             RunFixedMainLoop,
             (empty, fall, knock).chain().in_set(WindowSystems::Present),

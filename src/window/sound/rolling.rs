@@ -14,7 +14,6 @@ use crate::physics::ball::Motion;
 use crate::sim::clock::Clock;
 use crate::sim::components::{MotionKind, Position, Velocity};
 use crate::sim::stepped::crowd::is_crowd;
-use crate::window::WindowSystems;
 
 /// Balls that are heard at the same time.
 const VOICES: usize = 4;
@@ -31,14 +30,14 @@ struct Rolling(Option<Entity>);
 
 pub(super) fn plugin(app: &mut App) {
     app.add_systems(Startup, begin.after(super::synthesise))
-        .add_systems(
-            RunFixedMainLoop,
-            follow.run_if(not(is_crowd)).in_set(WindowSystems::Present),
-        );
+        .add_systems(First, follow.run_if(not(is_crowd)));
 }
 
 /// Starts the voices, silent. Without a device they wait for ever and cost nothing.
-fn begin(mut commands: Commands, sources: Option<ResMut<Assets<AudioSource>>>) -> Result {
+pub(super) fn begin(
+    mut commands: Commands,
+    sources: Option<ResMut<Assets<AudioSource>>>,
+) -> Result {
     if let Some(mut sources) = sources {
         let bytes = synthesis::rolling()?.into();
         let source = sources.add(AudioSource { bytes });
