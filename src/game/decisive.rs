@@ -43,14 +43,14 @@ mod tests {
         like.place("cue", Ball::POOL, -0.6, 0.0);
         let game = Game::named("9-ball").expect("it is among the games");
         let (mut state, mut scene) = GameState::start(game, 2, 0, &like, 1);
-        let pocket = scene.table.pockets[0].center;
+        let (pocket, out) = corner(&scene);
         for (i, ball) in scene.balls.iter_mut().enumerate() {
-            let place = |back: f64| pocket * (1.0 - back / pocket.length());
+            let place = |back: f64| pocket - back * out;
             let at = if i == state.cue_ball(&like) {
                 Some(place(0.55))
             } else {
                 let rank = names.iter().position(|name| *name == ball.name);
-                rank.map(|rank| place(0.12) + f64::from(rank as u32) * DVec2::new(-0.5, 0.2))
+                rank.map(|rank| place(0.12) + f64::from(rank as u32) * DVec2::new(-0.8, 0.0))
             };
             match at {
                 Some(at) => (ball.state.position.x, ball.state.position.z) = (at.x, at.y),
@@ -62,8 +62,17 @@ mod tests {
         (state, scene)
     }
 
+    /// A pocket in a corner, and the way into it.
+    fn corner(scene: &Scene) -> (DVec2, DVec2) {
+        let pockets = scene.table.pockets.iter().map(|pocket| pocket.center);
+        let at = pockets
+            .max_by(|a, b| (a.x + a.y).total_cmp(&(b.x + b.y)))
+            .expect("a table of nine-ball has pockets");
+        (at, at.signum() / 2.0_f64.sqrt())
+    }
+
     fn at_the_pocket(scene: &Scene, speed: f64) -> Shot {
-        let way = scene.table.pockets[0].center;
+        let (_, way) = corner(scene);
         Shot {
             heading: libm::atan2(-way.y, way.x),
             speed,

@@ -1,5 +1,7 @@
 //! How much work a frame may be.
 
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use bevy::prelude::*;
 use bevy::render::render_resource::WgpuAdapterInfo;
 
@@ -19,12 +21,17 @@ pub enum RenderQuality {
     Ultra,
 }
 
+/// Whether the processor draws. There is one adapter in a process.
+static DRAWN_BY_PROCESSOR: AtomicBool = AtomicBool::new(false);
+
 impl RenderQuality {
     /// What suits an adapter.
     #[must_use]
     pub fn for_adapter(adapter: &WgpuAdapterInfo) -> Self {
         // The type of this field is not among Bevy's exports, its name is stable.
-        match format!("{:?}", adapter.device_type).as_str() {
+        let kind = format!("{:?}", adapter.device_type);
+        DRAWN_BY_PROCESSOR.store(kind == "Cpu", Ordering::Relaxed);
+        match kind.as_str() {
             "Cpu" => Self::Low,
             "IntegratedGpu" => Self::Medium,
             _ => Self::High,
@@ -76,6 +83,10 @@ impl RenderQuality {
 
     /// Samples a texture may take along its slope.
     pub(super) fn anisotropy(self) -> u16 {
+        // Where a face is seen edge-on, a software driver would walk over the whole texture for each pixel, for minutes.
+        if DRAWN_BY_PROCESSOR.load(Ordering::Relaxed) {
+            return 1;
+        }
         match self {
             Self::Low => 2,
             Self::Medium => 4,

@@ -83,7 +83,7 @@ impl Surfaces {
                 reflectance: 0.18,
                 ..default()
             },
-            extension: gloss.felt(images.add(wear::map(quality.finer()))),
+            extension: gloss.felt(images.add(wear::map(quality))),
         };
         let lacquer = if quality.traces() { 1.0 } else { 0.0 };
         let wood = StandardMaterial {

@@ -3,6 +3,7 @@
 use bevy::prelude::*;
 
 use crate::window::render::paint::{Noise, Paint, paint};
+use crate::window::render::quality::RenderQuality;
 
 /// A track or a speck: from, to, half its width, how much lighter it is. Places are shares of half the cloth along and
 /// half of its width across, from −1 to 1.
@@ -14,12 +15,13 @@ struct Mark {
 }
 
 /// The wear of a whole cloth: how light it is (½ is as new), and how much chalk lies on it.
-pub(super) fn map(finer: u32) -> Image {
+pub(super) fn map(quality: RenderQuality) -> Image {
     let noise = Noise::new(97);
     let marks = marks();
+    let finer = quality.finer();
     let size = (1024 << finer, 512 << finer);
     // Only marks near a row are looked at in it.
-    paint(Paint::Shares, size, 4, |u, v| {
+    paint(Paint::Shares, size, quality.anisotropy(), |u, v| {
         let at = Vec2::new(2.0 * u - 1.0, 2.0 * v - 1.0);
         let mut light = 0.5
             + 0.030 * noise.sum((u, v), (6, 3), 4)
