@@ -7,6 +7,7 @@ use bevy::render::view::ColorGrading;
 use bevy_egui::input::EguiWantsInput;
 use leafwing_input_manager::prelude::ActionState;
 
+use crate::game::view::FirstEye;
 use crate::sim::components::Radius;
 use crate::window::RenderQuality;
 use crate::window::action::Action;
@@ -126,7 +127,7 @@ pub(super) fn look(
     mut photo: ResMut<Photo>,
     quality: Res<RenderQuality>,
     balls: Query<(&GlobalTransform, &Radius)>,
-    mut cameras: Query<(Entity, &mut Transform, &mut Projection), (With<Camera3d>, Without<Film>)>,
+    mut cameras: Query<(Entity, &mut Transform, &mut Projection), (With<FirstEye>, Without<Film>)>,
 ) {
     let lens = &mut photo.lens;
     for (entity, mut transform, mut projection) in &mut cameras {

@@ -3,7 +3,6 @@
 use std::sync::Mutex;
 use std::sync::mpsc::{Receiver, Sender, channel};
 
-use bevy::audio::SpatialListener;
 use bevy::camera::RenderTarget;
 use bevy::prelude::*;
 use bevy::render::render_resource::TextureFormat;
@@ -13,6 +12,7 @@ use bevy::tasks::IoTaskPool;
 use bevy::window::PrimaryWindow;
 use leafwing_input_manager::prelude::ActionState;
 
+use crate::game::view::FirstEye;
 use crate::window::RenderQuality;
 use crate::window::action::Action;
 use crate::window::language::Language;
@@ -74,7 +74,7 @@ fn load(
     language: Res<Language>,
     device: Option<Res<RenderDevice>>,
     window: Query<&Window, With<PrimaryWindow>>,
-    cameras: Query<(&GlobalTransform, &Projection), (With<Camera3d>, Without<Film>)>,
+    cameras: Query<(&GlobalTransform, &Projection), With<FirstEye>>,
     films: Query<(), With<Film>>,
 ) {
     if wanted.read().count() == 0 || !films.is_empty() {
@@ -128,10 +128,6 @@ fn load(
 fn wait(mut commands: Commands, mut films: Query<(Entity, &mut Film)>, darkroom: Res<Darkroom>) {
     for (entity, mut film) in &mut films {
         film.frames += 1;
-        if film.frames == 1 {
-            // One pair of ears is enough.
-            commands.entity(entity).remove::<SpatialListener>();
-        }
         if film.frames == FRAMES {
             let to = darkroom.to.clone();
             commands
