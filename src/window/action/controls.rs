@@ -108,7 +108,7 @@ pub const CONTROLS: &[Line] = {
         line(A::Preview, &[Key(K::KeyL), Pad(P::LeftThumb)], View),
         line(A::Trails, &[Key(K::KeyT)], View),
         line(A::FastForward, &[Key(K::KeyF), Pad(P::RightTrigger2)], View),
-        line(A::Photo, &[Key(K::F9)], View),
+        line(A::Photo, &[Key(K::F10)], View),
         line(A::Mute, &[Key(K::KeyM)], View),
         line(A::Panel, &[Key(K::KeyP)], View),
         line(A::Help, &[Key(K::KeyH), Key(K::F1)], View),
