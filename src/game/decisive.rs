@@ -77,7 +77,7 @@ mod tests {
             heading: libm::atan2(-way.y, way.x),
             speed,
             // The cue ball stays behind.
-            height: -0.35,
+            height: -0.45,
             ..Shot::default()
         }
     }
@@ -85,7 +85,7 @@ mod tests {
     #[test]
     fn the_last_ball_of_a_rack_decides_and_no_other() {
         let (state, scene) = left(&["9"]);
-        let shot = at_the_pocket(&scene, 1.2);
+        let shot = at_the_pocket(&scene, 2.0);
         let time = decisive_pot(&state, &scene, &Call::Nothing, &shot);
         let time = time.expect("the nine drops");
         assert!((0.1..3.0).contains(&time), "{time}");
@@ -93,7 +93,7 @@ mod tests {
         assert_eq!(decisive_pot(&state, &scene, &Call::Nothing, &soft), None);
 
         let (state, scene) = left(&["8", "9"]);
-        let shot = at_the_pocket(&scene, 1.2);
+        let shot = at_the_pocket(&scene, 2.0);
         assert_eq!(decisive_pot(&state, &scene, &Call::Nothing, &shot), None);
     }
 }
