@@ -26,6 +26,7 @@ pub enum Screen {
 
 /// What a panel is remembered by: its name and the size of the window. A window that was made tiny for a while, or
 /// minimised, would leave its panels squeezed and pushed aside for good.
+#[must_use]
 pub fn panel_id(context: &egui::Context, name: &str) -> egui::Id {
     let size = context.content_rect().size();
     egui::Id::new((name, size.x as i32, size.y as i32))

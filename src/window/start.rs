@@ -79,11 +79,11 @@ fn follow(drawn: Res<Drawn>, mut phases: ResMut<Phases>, mut exit: MessageWriter
         return;
     }
     phases.reached("every shader compiled, five whole frames drawn");
-    let mut before = Duration::ZERO;
+    let mut before = 0.0;
     for (phase, at) in &phases.list {
-        let (at, since) = (at.as_secs_f64(), (*at - before).as_secs_f64());
-        println!("{at:7.3} s  +{since:6.3}  {phase}");
-        before = Duration::from_secs_f64(at);
+        let at = at.as_secs_f64();
+        println!("{at:7.3} s  +{:6.3}  {phase}", at - before);
+        before = at;
     }
     tell_memory();
     exit.write(AppExit::Success);

@@ -304,7 +304,8 @@ fn every_expectation_of_the_library_is_said_in_every_language_with_all_its_value
 #[test]
 fn what_became_of_an_expectation_is_said_in_german() {
     let scene = library::open("butterfly").expect("it is built in");
-    let record = masse::physics::exact::solve(&scene.scene, Default::default());
+    let record =
+        masse::physics::exact::solve(&scene.scene, masse::physics::exact::Limits::default());
     let outcomes = scene.judge(&record.expect("it can be played"));
     let german = Language::of_code("de");
     let first = &outcomes[0];

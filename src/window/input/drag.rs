@@ -129,6 +129,10 @@ type Balls<'w, 's> = Query<
 >;
 
 /// Takes what lies under the pointer when a button goes down, and lets go when it comes up.
+#[expect(
+    clippy::too_many_arguments,
+    reason = "everything that may lie under a pointer"
+)]
 pub(super) fn grip(
     actions: Actions,
     egui: Res<EguiWantsInput>,

@@ -117,9 +117,9 @@ fn knock(
     let knock = sounds.handles.iter().find(|(one, _)| *one == Sound::Balls);
     falling.due.retain(|(due, place)| {
         let meets = *due <= now;
-        if let Some((_, handles)) = knock.filter(|_| meets && level > 0.0) {
+        if let Some((_, [softest, ..])) = knock.filter(|_| meets && level > 0.0) {
             let until = now + 2 * synthesis::LENGTH;
-            commands.spawn(voice(&handles[0], KNOCK * level, *place, until));
+            commands.spawn(voice(softest, KNOCK * level, *place, until));
         }
         !meets
     });

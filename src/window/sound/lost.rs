@@ -30,6 +30,10 @@ impl<S: bevy::log::tracing::Subscriber> Layer<S> for Lost {
 }
 
 /// What the log of the app asks before it writes anything.
+#[expect(
+    clippy::unnecessary_wraps,
+    reason = "the form in which the log asks for it"
+)]
 pub(in crate::window) fn layer(app: &mut App) -> Option<BoxedLayer> {
     let lost = Lost::default();
     app.insert_resource(lost.clone());
