@@ -5,6 +5,7 @@ use bevy::audio::{
     AudioPlayer, AudioSinkPlayback, AudioSource, PlaybackSettings, SpatialAudioSink, SpatialScale,
     Volume,
 };
+use bevy::ecs::message::MessageUpdateSystems;
 use bevy::prelude::*;
 
 use super::synthesis;
@@ -30,7 +31,10 @@ struct Rolling(Option<Entity>);
 
 pub(super) fn plugin(app: &mut App) {
     app.add_systems(Startup, begin.after(super::synthesise))
-        .add_systems(First, follow.run_if(not(is_crowd)));
+        .add_systems(
+            First,
+            follow.run_if(not(is_crowd)).after(MessageUpdateSystems),
+        );
 }
 
 /// Starts the voices, silent. Without a device they wait for ever and cost nothing.
