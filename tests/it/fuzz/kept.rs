@@ -14,7 +14,7 @@ use masse::scenarios::{file, library, share};
 
 use super::attack;
 use super::texts::{assets, damage, damaged};
-use crate::matches::{Hand, begin};
+use crate::matches::{Hand, begin, headed};
 
 /// Every game in its midst, as the text of its match without the first line.
 static MATCHES: LazyLock<Vec<String>> = LazyLock::new(|| {
@@ -34,14 +34,6 @@ static MATCHES: LazyLock<Vec<String>> = LazyLock::new(|| {
     });
     played.collect()
 });
-
-/// A body under a first line that fits it, so that what is read is the body.
-fn headed(body: &str) -> String {
-    let (crc, bytes) = (crc32fast::hash(body.as_bytes()), body.len());
-    format!(
-        "{{\"format\":\"masse match\",\"version\":1,\"bytes\":{bytes},\"crc32\":\"{crc:08x}\"}}\n{body}\n"
-    )
-}
 
 #[test]
 fn damaged_matches_are_refused_or_played_on() {
@@ -100,7 +92,7 @@ fn damaged_shared_texts_are_refused_or_whole() {
     let names = ["butterfly", "masse", "jump-shot", "stun-shot"];
     let texts: Vec<String> = names
         .iter()
-        .filter_map(|name| library::open(name).ok())
+        .map(|name| library::open(name).expect("a scene of the library"))
         .map(|scenario| share::write(&scenario).expect("it can be shared"))
         .collect();
     attack(1000, &(select(texts), damage()), |(text, damages)| {

@@ -25,9 +25,12 @@ fn changed(from: &str, to: &str) -> String {
     let (_, whole) = &*MATCH;
     let (_, body) = whole.split_once('\n').expect("two lines");
     assert!(body.contains(from), "{from} is not in the match");
-    let body = body.trim_end().replacen(from, to, 1);
-    let crc = crc32fast::hash(body.as_bytes());
-    let bytes = body.len();
+    headed(&body.trim_end().replacen(from, to, 1))
+}
+
+/// A body under a first line that fits it, so that what is read is the body.
+pub(crate) fn headed(body: &str) -> String {
+    let (crc, bytes) = (crc32fast::hash(body.as_bytes()), body.len());
     format!(
         "{{\"format\":\"masse match\",\"version\":1,\"bytes\":{bytes},\"crc32\":\"{crc:08x}\"}}\n{body}\n"
     )

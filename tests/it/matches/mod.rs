@@ -6,6 +6,8 @@ mod played;
 mod random;
 mod saving;
 
+pub(crate) use damage::headed;
+
 use glam::DVec2;
 use masse::game::matches::{Breaks, Match, Mind, Phase, Player, Setup};
 use masse::game::rules::{Call, CallNeeded, Game, Verdict};

@@ -8,7 +8,7 @@ use masse::game::view::{Beside, CameraMode, FirstEye, View};
 use masse::sim::clock::Clock;
 use masse::window::{Heat, Stage};
 
-use super::{app, choose, press, step};
+use super::{app, choose, press, settle, step, until};
 
 fn view(app: &App) -> View {
     *app.world().resource::<View>()
@@ -29,17 +29,6 @@ fn eyes(app: &mut App) -> (usize, usize) {
     (all, first)
 }
 
-fn until(app: &mut App, what: &str, holds: impl Fn(&App) -> bool) {
-    for _ in 0..3000 {
-        if holds(app) {
-            return;
-        }
-        std::thread::sleep(std::time::Duration::from_millis(4));
-        step(app);
-    }
-    panic!("it never happened: {what}");
-}
-
 fn open(app: &mut App, name: &str) {
     app.world_mut().write_message(OpenScene {
         name: name.to_owned(),
@@ -52,10 +41,7 @@ fn open(app: &mut App, name: &str) {
             && messages.is_empty()
             && !app.world().resource::<Clock>().moving
     });
-    for _ in 0..6 {
-        std::thread::sleep(std::time::Duration::from_millis(12));
-        step(app);
-    }
+    settle(app);
 }
 
 #[test]

@@ -42,6 +42,26 @@ fn step(app: &mut App) {
     app.update();
 }
 
+/// Goes on until something holds.
+fn until(app: &mut App, what: &str, holds: impl Fn(&mut App) -> bool) {
+    for _ in 0..3000 {
+        if holds(app) {
+            return;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(4));
+        step(app);
+    }
+    panic!("it never happened: {what}");
+}
+
+/// Some frames in which what was laid out comes to be drawn.
+fn settle(app: &mut App) {
+    for _ in 0..6 {
+        std::thread::sleep(std::time::Duration::from_millis(12));
+        step(app);
+    }
+}
+
 fn for_input(app: &mut App, mut change: impl FnMut(&mut egui::RawInput)) {
     let world = app.world_mut();
     let mut inputs = world.query_filtered::<&mut EguiInput, With<PrimaryEguiContext>>();

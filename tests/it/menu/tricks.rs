@@ -17,18 +17,9 @@ use masse::sim::messages::Strike;
 use masse::window::page::{PageId, Screen};
 use masse::window::{OnTable, OwnScenes, Stage, Turn};
 
-use super::{app, choose, focused_place, for_input, page, press, screen, step, tab_to};
-
-fn until(app: &mut App, what: &str, holds: impl Fn(&mut App) -> bool) {
-    for _ in 0..3000 {
-        if holds(app) {
-            return;
-        }
-        std::thread::sleep(std::time::Duration::from_millis(4));
-        step(app);
-    }
-    panic!("it never happened: {what}");
-}
+use super::{
+    app, choose, focused_place, for_input, page, press, screen, settle, step, tab_to, until,
+};
 
 fn on(app: &App) -> Option<&OnTable> {
     app.world().resource::<Stage>().on_table()
@@ -50,10 +41,7 @@ fn laid_out(app: &mut App, name: &str) {
             && !moving(app)
             && app.world().resource::<Messages<OpenScene>>().is_empty()
     });
-    for _ in 0..6 {
-        std::thread::sleep(std::time::Duration::from_millis(12));
-        step(app);
-    }
+    settle(app);
 }
 
 #[test]

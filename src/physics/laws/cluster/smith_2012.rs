@@ -4,8 +4,8 @@
 //! just stop them (see `complementarity`), and (1 + e) λ is what passes. Contacts that begin to close by that are the
 //! next round. So two balls struck at once leave as mirror images, while a blow runs through a touching row from ball
 //! to ball as in Newton's cradle. With one e ≤ 1 for all no round adds energy; contacts of different e that hold each other,
-//! as of a light ball between a heavy one and a cushion, could, and then the larger ones count less. Contacts that share no ball are rounds of their own
-//! law, friction and all. Where contacts share a ball, friction of each follows its law for the impulse it
+//! as of a light ball between a heavy one and a cushion, could, and then the larger ones count less. Contacts that share no
+//! ball are rounds of their own law, friction and all. Where contacts share a ball, friction of each follows its law for the impulse it
 //! transmits and the slip before the round, and is scaled back if together they would add energy.
 //!
 //! After [`ROUNDS`] rounds or more the rest of the closing speeds is taken out at once without rebound: inelastic collapse

@@ -14,8 +14,7 @@
 //! acceleration of at most 0.12 rad each, which leave the arc by less than 0.05 mm. What a ball runs along the edge it keeps
 //! as the edge turns, at the same speed: that the run itself drives it outwards is left out, so one that runs more than half
 //! as fast as it tips bounces along the edge instead. A ball that is hit while it tips falls from there. Radius of the edge
-//! and restitution of the
-//! liner are our choice: no published measurement is known to us.
+//! and restitution of the liner are our choice: no published measurement is known to us.
 
 use glam::{DVec2, DVec3};
 use serde::{Deserialize, Serialize};
