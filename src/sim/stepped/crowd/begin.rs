@@ -68,7 +68,8 @@ impl<B: Body, const WIDE: bool> Solver<'_, B, WIDE> {
         let stripe = &self.stripes[0];
         let rows = &stripe.rows;
         let last = (row + span[1] + 1).min(rows.end);
-        for other in row..last {
+        stripe.find_close_here(self.stretch, row, close);
+        for other in row + 2..last {
             stripe.find_close(self.stretch, row, (stripe, other, false), close);
         }
         if !stripe.still.records.is_empty() {
@@ -110,9 +111,9 @@ impl<B: Body, const WIDE: bool> Solver<'_, B, WIDE> {
         }
     }
 
-    /// Takes up two balls if they meet on the paths they began the stretch on, or are on by now.
+    /// Takes up two balls if they meet on the paths they are on.
     #[inline(always)]
-    fn begin(&mut self, one: u32, other: u32) {
+    pub fn begin(&mut self, one: u32, other: u32) {
         let (a, b) = (self.seen(one), self.seen(other));
         if let Some(time) = self.meet(one, &a, &b) {
             let turns = [a.turns, b.turns];
@@ -120,14 +121,15 @@ impl<B: Body, const WIDE: bool> Solver<'_, B, WIDE> {
         }
     }
 
-    /// Takes up what a marked ball at this place meets besides the balls near it, on the path it began the stretch on.
+    /// Takes up what a marked ball at this place meets besides the balls near it, on the path it is on.
     fn begin_alone(&mut self, at: u32) {
-        let leg = self.leg(at);
-        if self.stretch.is_fast(&leg.body) {
+        let (turn, start) = (self.turn_of(at), self.stretch.start);
+        let square = self.seen(at).body.velocity(start).length_squared();
+        if square > self.stretch.fast {
             // It may be near to what is not near to its cell.
-            self.look(&[self.turn_of(at)]);
+            self.look(&[turn]);
         } else {
-            self.alone(at, &leg);
+            self.alone(at, turn.bounds);
         }
     }
 }

@@ -1,18 +1,17 @@
 //! The cells of a crowd, and what of a ball lies in them.
 
+use std::ops::Range;
+
 use glam::DVec2;
+use wide::f64x2;
 
 use crate::sim::stepped::crowd::rows::Lanes;
 
 /// A ball on its way into its cell.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Record {
-    /// The middle of the path of this tick, m.
-    pub x: f32,
-    pub z: f32,
-    /// How far it moves in this tick along x and z if nothing happens, m.
-    pub dx: f32,
-    pub dz: f32,
+    /// The middle of the path of this tick along x and z, and how far it moves in this tick if nothing happens, m.
+    pub numbers: [f32; 4],
     /// Slot of the ball; with [`MARKED`] one that may do more than move on.
     pub ball: u32,
 }
@@ -27,25 +26,16 @@ impl Record {
     #[inline]
     pub fn new(middle: DVec2, way: DVec2, ball: u32) -> Self {
         Self {
-            x: middle.x as f32,
-            z: middle.y as f32,
-            dx: way.x as f32,
-            dz: way.y as f32,
+            numbers: [middle.x as f32, middle.y as f32, way.x as f32, way.y as f32],
             ball,
         }
-    }
-
-    /// Where the ball begins the tick along x and z, and how far it gets in it, m.
-    #[inline]
-    pub fn path(&self) -> [f32; 4] {
-        let (x, z) = (self.x - 0.5 * self.dx, self.z - 0.5 * self.dz);
-        [x, z, self.dx, self.dz]
     }
 
     /// The middle of the path, m.
     #[inline]
     pub fn middle(&self) -> DVec2 {
-        DVec2::new(f64::from(self.x), f64::from(self.z))
+        let [x, z, ..] = self.numbers;
+        DVec2::new(f64::from(x), f64::from(z))
     }
 }
 
@@ -78,7 +68,7 @@ impl Sorted {
             for k in 1..row.len() {
                 let record = row[k];
                 let mut at = k;
-                while at > 0 && row[at - 1].x > record.x {
+                while at > 0 && row[at - 1].numbers[0] > record.numbers[0] {
                     row[at] = row[at - 1];
                     at -= 1;
                 }
@@ -89,12 +79,18 @@ impl Sorted {
         }
     }
 
-    /// Takes what the records tell into lists.
-    pub fn list(&mut self) {
+    /// Takes what the records tell into lists, and lists those that are marked.
+    pub fn list(&mut self, marked: &mut Vec<u32>) {
         self.lanes.fill(&self.records);
         self.balls.clear();
+        marked.clear();
         self.balls
-            .extend(self.records.iter().map(|record| record.ball));
+            .extend((0..).zip(&self.records).map(|(at, record)| {
+                if record.ball & MARKED != 0 {
+                    marked.push(at);
+                }
+                record.ball & !MARKED
+            }));
     }
 
     /// Places of a row of so many cells.
@@ -104,6 +100,27 @@ impl Sorted {
             return [0; 2];
         }
         [self.first[row * columns], self.first[(row + 1) * columns]]
+    }
+
+    /// The places of some columns of some rows of so many cells.
+    #[inline]
+    pub fn ranges(
+        &self,
+        rows: Range<usize>,
+        count: usize,
+        columns: &Range<usize>,
+    ) -> impl Iterator<Item = [u32; 2]> {
+        let (begin, end) = (columns.start, columns.end);
+        let first = &self.first[..];
+        rows.map(move |row| [first[row * count + begin], first[row * count + end]])
+    }
+
+    /// The first place of a row not before the cell at `x`.
+    #[inline]
+    pub fn start(&self, row: usize, cells: &Cells, x: f32) -> u32 {
+        let column = ((x - cells.least.x as f32) * cells.per_cell.x as f32) as i32;
+        let column = (column.max(0) as usize).min(cells.columns - 1);
+        self.first[row * cells.columns + column]
     }
 
     /// Takes a ball away: nothing is near it any more.
@@ -136,8 +153,11 @@ impl Cells {
     /// Column and row.
     #[inline]
     pub fn at(&self, place: DVec2) -> [usize; 2] {
-        let at = (place - self.least) * self.per_cell;
-        [index(at.x, self.columns), index(at.y, self.rows)]
+        let at = (pair(place) - pair(self.least)) * pair(self.per_cell) - f64x2::splat(0.5);
+        let last = f64x2::new([(self.columns - 1) as f64, (self.rows - 1) as f64]);
+        // To the nearest, which cuts the table as well as any other way, without the cost of a cast.
+        let at = at.fast_max(f64x2::splat(0.0)).fast_min(last) + f64x2::splat(COUNTED);
+        at.to_array().map(|at| at.to_bits() as u32 as usize)
     }
 
     /// How many cells away something this far can be, along x and z.
@@ -150,13 +170,7 @@ impl Cells {
 /// 2^52: the bits of a number from here on count its distance from here.
 const COUNTED: f64 = 4_503_599_627_370_496.0;
 
-/// The index of a cell out of `count`. Rounds to the nearest, which cuts the table as well as any other way, without the
-/// cost of a cast.
 #[inline]
-fn index(at: f64, count: usize) -> usize {
-    let (at, last) = (at - 0.5, (count - 1) as f64);
-    // Not `max` and `min`, which look after numbers that are none.
-    let at = if at > 0.0 { at } else { 0.0 };
-    let at = if at < last { at } else { last };
-    (at + COUNTED).to_bits() as u32 as usize
+fn pair(numbers: DVec2) -> f64x2 {
+    f64x2::new([numbers.x, numbers.y])
 }

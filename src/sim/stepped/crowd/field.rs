@@ -17,7 +17,8 @@ use crate::sim::stepped::crowd::cells::Cells;
 use crate::sim::stepped::crowd::census::{Pass, Sums, Tally};
 use crate::sim::stepped::crowd::search::{Scratch, Solver};
 use crate::sim::stepped::crowd::share::share;
-use crate::sim::stepped::crowd::stripe::{Stretch, Stripe, place};
+use crate::sim::stepped::crowd::stretch::Stretch;
+use crate::sim::stepped::crowd::stripe::{Stripe, place};
 
 /// All balls of one kind.
 pub(super) struct Field<B> {
@@ -160,13 +161,7 @@ impl<B: Body> Field<B> {
                 self.now + length
             },
         );
-        let stretch = Stretch {
-            start,
-            end,
-            cut,
-            cells: self.cells,
-            ..*stretch
-        };
+        let stretch = stretch.within([start, end], self.cells, cut);
         self.lay_records(&stretch, threads);
         tally.time(Pass::Grid, &mut lap);
         self.follow(&stretch, threads);
@@ -213,10 +208,7 @@ impl<B: Body> Field<B> {
         }
         for &slot in &self.woken {
             let first = &mut self.stripes[0];
-            let (record, key, free) =
-                stretch.record(&bodies[slot as usize], slot, &mut first.tally);
-            first.fastest = first.fastest.max(free);
-            leaving.push((record, key));
+            leaving.push(stretch.record(&bodies[slot as usize], slot, &mut first.tally));
         }
         for (record, key) in leaving {
             let row = Stripe::<B>::row_of(key, columns);
@@ -232,11 +224,8 @@ impl<B: Body> Field<B> {
 
     /// Finds and follows all clusters.
     fn follow(&mut self, stretch: &Stretch, threads: usize) {
-        let fastest = self
-            .stripes
-            .iter()
-            .map(|stripe| stripe.fastest)
-            .fold(0.0, f64::max);
+        let fastest = self.stripes.iter().map(|stripe| stripe.tally.speed);
+        let fastest = stretch.freedom(fastest.fold(0.0, f64::max));
         let all = self.stripes.len();
         self.scratch.resize_with(all, Scratch::default);
         let truth = (&self.bodies[..], &self.numbers[..]);

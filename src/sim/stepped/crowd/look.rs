@@ -1,4 +1,8 @@
 //! Looking for what balls meet after they were turned.
+#![expect(
+    clippy::inline_always,
+    reason = "the innermost loops of a tick: a call would cost as much as the work"
+)]
 
 use glam::DVec2;
 
@@ -7,16 +11,15 @@ use crate::sim::stepped::crowd::cells::Sorted;
 use crate::sim::stepped::crowd::rows::Sought;
 use crate::sim::stepped::crowd::search::Solver;
 use crate::sim::stepped::crowd::stripe::place;
-use crate::sim::stepped::crowd::turned::{Kind, Leg};
 
 /// A ball that has just been put on a path.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Turn<B> {
+pub(super) struct Turn {
     pub ball: u32,
-    pub leg: Leg<B>,
-    /// Where it is halfway to the end, and how far it gets from there, m.
-    pub middle: DVec2,
-    pub extent: f64,
+    /// When the path began.
+    pub from: f64,
+    /// The corners of the rectangle that the centre stays in from then on, m.
+    pub bounds: [DVec2; 2],
     /// The path as others that look for it will see it.
     pub path: [f32; 4],
 }
@@ -24,48 +27,37 @@ pub(super) struct Turn<B> {
 impl<B: Body, const WIDE: bool> Solver<'_, B, WIDE> {
     /// Lists the places of the balls that balls on new paths may meet, each with the index of the path; false if more may
     /// lie beyond these stripes.
-    fn list_near<const N: usize>(
-        &self,
-        turns: &[Turn<B>; N],
-        list: &mut Vec<(usize, u32)>,
-    ) -> bool {
+    #[inline(always)]
+    fn list_near<const N: usize>(&self, turns: &[Turn; N], list: &mut Vec<(usize, u32)>) -> bool {
         let (cells, start) = (&self.stretch.cells, self.stretch.start);
-        let reach = f64::from(self.near.wide) + self.wander.max(self.fastest);
-        let (mut least, mut most) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
-        for turn in turns {
-            least = least.min(turn.middle - (reach + turn.extent));
-            most = most.max(turn.middle + (reach + turn.extent));
+        let [mut least, mut most] = turns[0].bounds;
+        for Turn { bounds, .. } in &turns[1..] {
+            (least, most) = (least.min(bounds[0]), most.max(bounds[1]));
         }
+        let reach = f64::from(self.near.wide) + self.wander.max(self.fastest);
+        let (least, most) = (least - reach, most + reach);
         let ([left, top], [right, bottom]) = (cells.at(least), cells.at(most));
-        let sought = Sought {
-            paths: turns.each_ref().map(|turn| turn.path),
-            after: ((turns[0].leg.from - start) * self.per_second) as f32,
-            wide: self.near.wide,
-            last: most.x as f32,
-        };
+        let sought = Sought::new(
+            turns.each_ref().map(|turn| turn.path),
+            ((turns[0].from - start) * self.per_second) as f32,
+            self.near.wide,
+            most.x as f32,
+        );
         let mut inside = true;
-        for row in top..=bottom {
-            let stripe = if WIDE {
-                match self.stripe_of(row) {
-                    Some(index) => &self.stripes[index],
-                    None => continue,
-                }
-            } else if self.stripes[0].rows.contains(&row) {
-                &self.stripes[0]
-            } else {
-                inside = false;
-                continue;
-            };
-            let begin = (row - stripe.rows.start) * cells.columns;
+        for stripe in self.stripes.iter() {
+            let (begin, end) = (stripe.rows.start, stripe.rows.end);
+            if !WIDE {
+                inside = begin <= top && bottom < end;
+            }
+            let rows = top.max(begin) - begin..(bottom + 1).min(end).max(begin) - begin;
+            let columns = left..right + 1;
             let mine = place::of(stripe.index, 0);
             let mut list = |sorted: &Sorted, mark: u32| {
-                let range = [sorted.first[begin + left], sorted.first[begin + right + 1]];
+                let ranges = sorted.ranges(rows.clone(), cells.columns, &columns);
                 let take = |path, k| list.push((path, mine | mark | k));
-                sorted.lanes.meet::<N, true>(range, &sought, take);
+                sorted.lanes.meet(ranges, &sought, take);
             };
-            if !stripe.moving.records.is_empty() {
-                list(&stripe.moving, 0);
-            }
+            list(&stripe.moving, 0);
             if !stripe.still.records.is_empty() {
                 list(&stripe.still, place::STILL);
             }
@@ -74,9 +66,9 @@ impl<B: Body, const WIDE: bool> Solver<'_, B, WIDE> {
     }
 
     /// Looks for what balls on new paths, which begin at the same time, meet until the end.
-    pub fn look<const N: usize>(&mut self, turns: &[Turn<B>; N]) {
+    pub fn look<const N: usize>(&mut self, turns: &[Turn; N]) {
         for turn in turns {
-            self.alone(turn.ball, &turn.leg);
+            self.alone(turn.ball, turn.bounds);
         }
         let mut list = std::mem::take(&mut self.list);
         list.clear();
@@ -85,9 +77,9 @@ impl<B: Body, const WIDE: bool> Solver<'_, B, WIDE> {
             self.stripes[0].wide.extend(balls);
         }
         for &(path, other) in &list {
-            let Turn { ball, leg, .. } = &turns[path];
-            if other != *ball {
-                self.look_at(*ball, leg, other);
+            let ball = turns[path].ball;
+            if other != ball {
+                self.begin(ball, other);
             }
         }
         self.list = list;
@@ -99,32 +91,19 @@ impl<B: Body, const WIDE: bool> Solver<'_, B, WIDE> {
             && B::BENDS
         {
             // Two balls on straight lines have nothing more to do with each other.
-            self.look_at(one.ball, &one.leg, other.ball);
-        }
-    }
-
-    #[inline]
-    fn look_at(&mut self, ball: u32, leg: &Leg<B>, other: u32) {
-        let theirs = self.seen(other);
-        if let Some(time) = self.meet(ball, &leg.seen(), &theirs) {
-            let turns = [leg.turns, theirs.turns];
-            self.wait(time, ball, Kind::Ball(other), turns);
+            self.begin(one.ball, other.ball);
         }
     }
 
     /// What is needed to look for what a ball meets from its last turn on.
-    pub fn turn_of(&self, ball: u32) -> Turn<B> {
-        let leg = self.leg(ball);
+    pub fn turn_of(&self, ball: u32) -> Turn {
+        let seen = self.seen(ball);
+        let lanes = &self.stripe(ball).sorted(ball).lanes;
         Turn {
             ball,
-            middle: leg.body.position(0.5 * (leg.from + self.stretch.end)),
-            extent: self.stretch.extent(&leg.body, leg.from),
-            path: self
-                .stripe(ball)
-                .sorted(ball)
-                .lanes
-                .path(place::index(ball)),
-            leg,
+            from: seen.from,
+            bounds: self.stretch.bounds(seen.body, seen.from),
+            path: lanes.path(place::index(ball)),
         }
     }
 }

@@ -22,6 +22,7 @@ mod rows;
 mod search;
 mod settle;
 mod share;
+mod stretch;
 mod stripe;
 #[cfg(test)]
 mod tests;
@@ -51,7 +52,7 @@ use body::{Body, Gliding, Rubbed};
 use cells::Cells;
 use census::Tally;
 use field::Field;
-use stripe::Stretch;
+use stretch::Stretch;
 use walls::Walls;
 
 /// How far a ball may move in one part of a tick, in radii. A faster one cuts the tick into parts.
@@ -70,6 +71,8 @@ pub struct Crowd {
     /// Whether the balls have moved since.
     behind: bool,
     asked: bool,
+    /// Processors there are: asking the system takes as long as a tick of a small crowd.
+    cores: usize,
     /// Threads to use; absent is all that Bevy has for computing, and the one that waits for them.
     pub threads: Option<usize>,
     /// When the components are written.
@@ -86,6 +89,7 @@ impl Default for Crowd {
             seen: None,
             behind: false,
             asked: false,
+            cores: available_parallelism(),
             threads: None,
             mirror: Mirror::default(),
         }
@@ -115,10 +119,11 @@ impl Crowd {
     }
 
     fn threads(&self) -> usize {
-        let pool = ComputeTaskPool::try_get().map_or(1, |pool| pool.thread_num() + 1);
-        self.threads
-            .unwrap_or(pool.min(available_parallelism()))
-            .max(1)
+        let all = || {
+            let pool = ComputeTaskPool::try_get().map_or(1, |pool| pool.thread_num() + 1);
+            pool.min(self.cores)
+        };
+        self.threads.unwrap_or_else(all).max(1)
     }
 
     /// Lays the balls out anew, those in play.
@@ -162,6 +167,8 @@ impl Crowd {
             start: 0.0,
             end: 0.0,
             cut: 0.0,
+            fast: 0.0,
+            clear: DVec2::ZERO,
             bend: bend(&playfield.laws),
         };
         census.times = Default::default();

@@ -5,7 +5,8 @@ use glam::DVec2;
 use crate::sim::stepped::crowd::body::Body;
 use crate::sim::stepped::crowd::cells::{Cells, TURNED};
 use crate::sim::stepped::crowd::field::Field;
-use crate::sim::stepped::crowd::stripe::{Stretch, Stripe, place};
+use crate::sim::stepped::crowd::stretch::Stretch;
+use crate::sim::stepped::crowd::stripe::{Stripe, place};
 
 /// Most stripes, unless there are more balls than they can hold.
 const STRIPES: usize = 8;

@@ -11,25 +11,89 @@ use crate::sim::stepped::crowd::cells::Record;
 /// Balls compared at a time.
 const LANES: usize = 4;
 
-/// Some balls next to each other, each number of them side by side: where they begin the tick along x and z, and how far
-/// they get in it, m. One line of a cache.
-#[derive(Clone, Copy, Debug)]
-#[repr(align(64))]
-struct Block([[f32; LANES]; 4]);
-
-impl Block {
-    /// Nothing is near it.
-    const NOBODY: Self = Self([[f32::NAN; LANES]; 4]);
-}
-
-/// Where balls begin the tick and how far they get in it, block by block, so that several are compared at once. In f32: it
-/// only tells which pairs certainly do not meet. A ball that was turned has the place at which it would have begun, had it
-/// always been on its new path.
+/// Where balls begin the tick and how far they get in it, each number in a list of its own, so that several balls are
+/// compared at once. In f32: it only tells which pairs certainly do not meet. A ball that was turned has the place at which
+/// it would have begun, had it always been on its new path. Behind the last come some that nothing meets.
 #[derive(Debug, Default)]
 pub(super) struct Lanes {
-    blocks: Vec<Block>,
     /// The middles of the paths along `x`, by which each row is sorted.
+    middle: Vec<f32>,
     x: Vec<f32>,
+    z: Vec<f32>,
+    dx: Vec<f32>,
+    dz: Vec<f32>,
+}
+
+/// Lanes of equal length, so that one comparison tells that all of them go so far.
+#[derive(Clone, Copy)]
+struct View<'a> {
+    middle: &'a [f32],
+    x: &'a [f32],
+    z: &'a [f32],
+    dx: &'a [f32],
+    dz: &'a [f32],
+}
+
+/// Some numbers of a list, from `at` on.
+#[inline(always)]
+fn some(list: &[f32], at: usize) -> f32x4 {
+    match list[at..at + LANES].first_chunk() {
+        Some(numbers) => f32x4::new(*numbers),
+        None => f32x4::new([f32::NAN; LANES]),
+    }
+}
+
+impl View<'_> {
+    /// Which of the balls from `at` on may meet one on a path: one bit for each. With `LATER` in the part of the tick that
+    /// is left.
+    #[inline(always)]
+    fn meet<const LATER: bool>(&self, at: usize, path: &[f32x4; 4], part: &Part) -> u32 {
+        // The square of the distance is gap + 2 slope t + square t², t from now on.
+        let (mut x, mut z) = (some(self.x, at) - path[0], some(self.z, at) - path[1]);
+        let (mut dx, mut dz) = (some(self.dx, at) - path[2], some(self.dz, at) - path[3]);
+        if LATER {
+            (x, z) = (x + part.after * dx, z + part.after * dz);
+            (dx, dz) = (part.left * dx, part.left * dz);
+        }
+        let gap = x * x + z * z - part.square;
+        let slope = x * dx + z * dz;
+        let square = dx * dx + dz * dz;
+        let rising = slope + square;
+        let zero = f32x4::splat(0.0);
+        let ends = (gap + slope + rising).simd_le(zero);
+        let turns = (slope * slope).simd_ge(gap * square) & zero.simd_lt(rising);
+        (gap.simd_le(zero) | (slope.simd_lt(zero) & (ends | turns))).to_bitmask()
+    }
+
+    /// Whether there may be more to find in a range after the balls before `at`.
+    #[inline(always)]
+    fn goes_on(&self, at: usize, end: u32, last: f32) -> bool {
+        at < end as usize && self.middle[at - 1] <= last
+    }
+
+    #[inline(always)]
+    fn path(&self, at: usize) -> [f32x4; 4] {
+        [self.x, self.z, self.dx, self.dz].map(|list| f32x4::splat(list[at]))
+    }
+}
+
+/// The part of the tick that is left, and the square of the distance that counts as near, each several times.
+#[derive(Clone, Copy, Debug)]
+struct Part {
+    after: f32x4,
+    left: f32x4,
+    square: f32x4,
+}
+
+impl Part {
+    #[inline(always)]
+    fn new(after: f32, wide: f32) -> Self {
+        Self {
+            after: f32x4::splat(after),
+            left: f32x4::splat(1.0 - after),
+            square: f32x4::splat(wide * wide),
+        }
+    }
 }
 
 /// What two balls must come near enough to meet in a tick, m, with room for rounding and for bent paths.
@@ -37,6 +101,8 @@ pub(super) struct Lanes {
 pub(super) struct Near {
     /// Distance of the centres.
     pub wide: f32,
+    /// Distance along `x` of a path from the middle of the other.
+    pub side: f32,
     /// Distance along `x` of the middles of their paths.
     pub edge: f32,
 }
@@ -45,10 +111,21 @@ pub(super) struct Near {
 /// `last` along `x`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sought<const N: usize> {
-    pub paths: [[f32; 4]; N],
-    pub after: f32,
-    pub wide: f32,
-    pub last: f32,
+    paths: [[f32x4; 4]; N],
+    part: Part,
+    last: f32,
+}
+
+impl<const N: usize> Sought<N> {
+    /// Balls that come as near as `wide` to a path.
+    #[inline(always)]
+    pub fn new(paths: [[f32; 4]; N], after: f32, wide: f32, last: f32) -> Self {
+        Self {
+            paths: paths.map(|path| path.map(f32x4::splat)),
+            part: Part::new(after, wide),
+            last,
+        }
+    }
 }
 
 impl Lanes {
@@ -57,127 +134,133 @@ impl Lanes {
 
     /// Takes records that are sorted by cell, and in each row by `x`.
     pub fn fill(&mut self, records: &[Record]) {
-        self.blocks.clear();
-        self.x.clear();
-        self.x.extend(records.iter().map(|record| record.x));
-        let full = records.chunks_exact(LANES);
-        let rest = full.remainder();
-        self.blocks.extend(full.map(|four| {
-            let [a, b, c, d] = [0, 1, 2, 3].map(|k| four[k].path());
-            Block([0, 1, 2, 3].map(|k| [a[k], b[k], c[k], d[k]]))
-        }));
-        if !rest.is_empty() {
-            self.blocks.push(Block::NOBODY);
-            for (k, record) in rest.iter().enumerate() {
-                self.set(records.len() - rest.len() + k, record.path());
-            }
+        let count = records.len() + 2 * LANES;
+        let lists = [&mut self.x, &mut self.z, &mut self.dx, &mut self.dz];
+        for list in lists {
+            list.resize(count, f32::NAN);
+            list[records.len()..].fill(f32::NAN);
+        }
+        self.middle.resize(count, f32::INFINITY);
+        self.middle[records.len()..].fill(f32::INFINITY);
+        let lists = self.middle.iter_mut().zip(&mut self.x).zip(&mut self.z);
+        let lists = lists.zip(&mut self.dx).zip(&mut self.dz);
+        for (record, ((((middle, x), z), dx), dz)) in records.iter().zip(lists) {
+            let [mx, mz, wx, wz] = record.numbers;
+            (*middle, *dx, *dz) = (mx, wx, wz);
+            (*x, *z) = (mx - 0.5 * wx, mz - 0.5 * wz);
+        }
+    }
+
+    #[inline(always)]
+    fn view(&self) -> View<'_> {
+        let count = self.middle.len();
+        View {
+            middle: &self.middle[..count],
+            x: &self.x[..count],
+            z: &self.z[..count],
+            dx: &self.dx[..count],
+            dz: &self.dz[..count],
         }
     }
 
     /// The path of a ball.
-    #[inline]
+    #[inline(always)]
     pub fn path(&self, at: usize) -> [f32; 4] {
-        let Block([x, z, dx, dz]) = &self.blocks[at / LANES];
-        let lane = at % LANES;
-        [x[lane], z[lane], dx[lane], dz[lane]]
+        [self.x[at], self.z[at], self.dx[at], self.dz[at]]
     }
 
     /// Puts a ball on another path.
-    #[inline]
-    pub fn set(&mut self, at: usize, path: [f32; 4]) {
-        let Block(block) = &mut self.blocks[at / LANES];
-        for (list, number) in block.iter_mut().zip(path) {
-            list[at % LANES] = number;
-        }
+    #[inline(always)]
+    pub fn set(&mut self, at: usize, [x, z, dx, dz]: [f32; 4]) {
+        (self.x[at], self.z[at]) = (x, z);
+        (self.dx[at], self.dz[at]) = (dx, dz);
     }
 
-    /// Takes, out of a range of a row, every ball that may meet what is looked for, and perhaps some that do not, with the
-    /// index of the path.
+    /// Hides a ball until it is put on another path.
     #[inline(always)]
-    pub fn meet<const N: usize, const LATER: bool>(
+    pub fn hide(&mut self, at: usize) {
+        self.x[at] = f32::NAN;
+    }
+
+    /// Takes, out of ranges of rows, every ball that may meet what is looked for, and perhaps some that do not or lie
+    /// behind a range, with the index of the path.
+    #[inline(always)]
+    pub fn meet<const N: usize>(
         &self,
-        [from, to]: [u32; 2],
+        ranges: impl Iterator<Item = [u32; 2]>,
         sought: &Sought<N>,
         mut take: impl FnMut(usize, u32),
     ) {
-        let mut paths = [[f32x4::splat(0.0); 4]; N];
-        for (path, numbers) in paths.iter_mut().zip(&sought.paths) {
-            for (four, number) in path.iter_mut().zip(numbers) {
-                *four = f32x4::splat(*number);
-            }
-        }
-        let (wide, zero) = (f32x4::splat(sought.wide * sought.wide), f32x4::splat(0.0));
-        let (after, left) = (f32x4::splat(sought.after), f32x4::splat(1.0 - sought.after));
-        let mut mask = u32::MAX << (from as usize % LANES);
-        let mut at = from as usize / LANES * LANES;
-        let blocks = &self.blocks[at / LANES..(to as usize).div_ceil(LANES).max(at / LANES)];
-        for Block([xs, zs, dxs, dzs]) in blocks {
-            let mut bits = [0; N];
-            for (bits, [x, z, dx, dz]) in bits.iter_mut().zip(&paths) {
-                // The square of the distance is gap + 2 slope t + square t², t from now on.
-                let (mut x, mut z) = (f32x4::new(*xs) - *x, f32x4::new(*zs) - *z);
-                let (mut dx, mut dz) = (f32x4::new(*dxs) - *dx, f32x4::new(*dzs) - *dz);
-                if LATER {
-                    (x, z) = (x + after * dx, z + after * dz);
-                    (dx, dz) = (left * dx, left * dz);
+        let view = self.view();
+        for [from, to] in ranges {
+            let (mut at, to) = (from as usize, to as usize);
+            while at < to {
+                let mut bits = 0;
+                for (k, path) in sought.paths.iter().enumerate() {
+                    bits |= view.meet::<true>(at, path, &sought.part) << (k * LANES);
                 }
-                let gap = x * x + z * z - wide;
-                let slope = x * dx + z * dz;
-                let square = dx * dx + dz * dz;
-                let overlaps = gap.simd_le(zero);
-                let closes = slope.simd_lt(zero);
-                let ends = (gap + slope + slope + square).simd_le(zero);
-                let turns = (slope * slope).simd_ge(gap * square) & (zero - slope).simd_lt(square);
-                *bits = (overlaps | (closes & (ends | turns))).to_bitmask() & mask;
-            }
-            mask = u32::MAX;
-            for (path, mut bits) in bits.into_iter().enumerate() {
                 while bits != 0 {
-                    take(path, at as u32 + bits.trailing_zeros());
+                    let bit = bits.trailing_zeros() as usize;
+                    take(bit / LANES, (at + bit % LANES) as u32);
                     bits &= bits - 1;
                 }
-            }
-            at += LANES;
-            if self.x.get(at - 1).is_none_or(|x| *x > sought.last) {
-                return;
+                at += LANES;
+                if view.middle[at - 1] > sought.last {
+                    break;
+                }
             }
         }
     }
 
-    /// Takes the pairs of a row with itself that may meet.
-    pub fn pairs(&self, [from, to]: [u32; 2], near: Near, mut take: impl FnMut(u32, u32)) {
-        for i in from..to {
-            let sought = self.sought(i, near);
-            self.meet::<1, false>([i + 1, to], &sought, |_, k| take(i, k));
-        }
-    }
-
-    /// Takes the pairs of a row with another row, here or elsewhere, that may meet.
-    pub fn pairs_with(
+    /// Takes the pairs of a row that may meet: of the row with itself, if it is `OWN`, and with a row of `other`, of
+    /// which `start` tells the first ball not before a place along `x`. It may take more, but none twice of one row.
+    #[inline(always)]
+    pub fn pairs<const OWN: bool>(
         &self,
         [from, to]: [u32; 2],
-        other: &Self,
-        [mut low, end]: [u32; 2],
+        (other, end, start): (&Self, u32, impl Fn(f32) -> u32),
         near: Near,
         mut take: impl FnMut(u32, u32),
     ) {
+        let (view, others) = (self.view(), other.view());
+        let part = Part::new(0.0, near.wide);
         for i in from..to {
-            let first = self.x[i as usize] - near.edge;
-            while low < end && other.x[low as usize] < first {
-                low += 1;
+            let (at, path) = (i as usize, view.path(i as usize));
+            let middle = view.middle[at];
+            let last = middle + near.side + 0.5 * view.dx[at].abs();
+            let first = start(middle - near.edge);
+            // Nearly always the first few are all.
+            let mut bits = if first < end {
+                others.meet::<false>(first as usize, &path, &part) << LANES
+            } else {
+                0
+            };
+            if OWN {
+                bits |= view.meet::<false>(at + 1, &path, &part);
             }
-            let sought = self.sought(i, near);
-            other.meet::<1, false>([low, end], &sought, |_, k| take(i, k));
-        }
-    }
-
-    #[inline(always)]
-    fn sought(&self, at: u32, near: Near) -> Sought<1> {
-        Sought {
-            paths: [self.path(at as usize)],
-            after: 0.0,
-            wide: near.wide,
-            last: self.x[at as usize] + near.edge,
+            while bits != 0 {
+                let bit = bits.trailing_zeros();
+                let lane = bit % LANES as u32;
+                take(i, lane + if bit == lane { i + 1 } else { first });
+                bits &= bits - 1;
+            }
+            let mut rest = |view: &View, begin: u32, end: u32| {
+                let mut at = begin as usize + LANES;
+                while view.goes_on(at, end, last) {
+                    let mut bits = view.meet::<false>(at, &path, &part);
+                    while bits != 0 {
+                        take(i, at as u32 + bits.trailing_zeros());
+                        bits &= bits - 1;
+                    }
+                    at += LANES;
+                }
+            };
+            if OWN && view.goes_on(at + 1 + LANES, to, last) {
+                rest(&view, i + 1, to);
+            }
+            if others.goes_on(first as usize + LANES, end, last) {
+                rest(&others, first, end);
+            }
         }
     }
 }

@@ -15,7 +15,8 @@ use crate::sim::stepped::crowd::body::{Body, track};
 use crate::sim::stepped::crowd::calendar::Calendar;
 use crate::sim::stepped::crowd::census::Tally;
 use crate::sim::stepped::crowd::rows::Near;
-use crate::sim::stepped::crowd::stripe::{Stretch, Stripe, place};
+use crate::sim::stepped::crowd::stretch::Stretch;
+use crate::sim::stepped::crowd::stripe::{Stripe, place};
 use crate::sim::stepped::crowd::turned::{Contact, Kind, Leg, Seen, turned};
 use crate::sim::stepped::resolve::{BOUNCES, IMPACTS};
 
@@ -50,6 +51,8 @@ pub(super) struct Solver<'a, B, const WIDE: bool> {
     /// What is near balls that are looked at.
     pub list: Vec<(usize, u32)>,
     pub near: Near,
+    /// Half the sides of the rectangle in which a ball touches no cushion, m.
+    pub clear: DVec2,
     /// Ticks a second.
     pub per_second: f64,
     /// Contacts that wait for their turn, and those that wait for something beyond what is known.
@@ -81,6 +84,7 @@ impl<'a, B: Body, const WIDE: bool> Solver<'a, B, WIDE> {
             wander,
             list: std::mem::take(&mut scratch.list),
             near: stretch.near(),
+            clear: stretch.clear(0.0),
             per_second: 1.0 / (stretch.end - stretch.start),
             queue: std::mem::take(&mut scratch.queue),
             held: std::mem::take(&mut scratch.held),
@@ -179,29 +183,47 @@ impl<'a, B: Body, const WIDE: bool> Solver<'a, B, WIDE> {
             .position(|stripe| stripe.rows.contains(&row))
     }
 
-    /// Has the changes of motion and the cushions that a leg leads to wait.
-    pub fn alone(&mut self, ball: u32, leg: &Leg<B>) {
-        let Leg { body, from, .. } = leg;
-        let end = self.stretch.end;
-        if B::BENDS && body.change() <= end {
-            self.wait(body.change().max(*from), ball, Kind::Change, [leg.turns, 0]);
+    /// Has the changes of motion and the cushions that the path of a ball leads to wait. Its centre stays in a rectangle
+    /// with these corners.
+    #[inline(always)]
+    pub fn alone(&mut self, ball: u32, [least, most]: [DVec2; 2]) {
+        let Seen {
+            body, from, turns, ..
+        } = self.seen(ball);
+        let change = body.change();
+        if B::BENDS && change <= self.stretch.end {
+            self.wait(change.max(from), ball, Kind::Change, [turns, 0]);
         }
-        let middle = body.position(0.5 * (from + end));
-        let walls = self.stretch.walls;
-        if walls.is_clear(middle) || !body.translates() || u32::from(leg.impacts) > IMPACTS {
+        let clear = self.clear;
+        if (least.x < -clear.x) | (least.y < -clear.y) | (most.x > clear.x) | (most.y > clear.y) {
+            self.cushions(ball);
+        }
+    }
+
+    /// Has the cushions that the path of a ball leads to wait.
+    #[inline(never)]
+    fn cushions(&mut self, ball: u32) {
+        let Leg {
+            body,
+            from,
+            impacts,
+            turns,
+        } = self.leg(ball);
+        if !body.translates() || u32::from(impacts) > IMPACTS {
             return;
         }
+        let (end, walls) = (self.stretch.end, self.stretch.walls);
         let left = (end.min(body.change()) - from).max(0.0);
-        let path = track(body, *from);
+        let path = track(&body, from);
         let reach = self.stretch.table.reach(self.stretch.ball.radius);
-        for listed in walls.near(middle) {
+        for listed in walls.near(body.position(0.5 * (from + end))) {
             let index = walls.cushion(listed);
             let met = match &self.stretch.table.cushions[index as usize] {
                 Cushion::Line(line) => contact::line(&path, line, reach, left),
                 Cushion::Arc(arc) => contact::arc(&path, arc, reach, left),
             };
             if let Some(met) = self.found(ball, met) {
-                self.wait(from + met, ball, Kind::Cushion(index), [leg.turns, 0]);
+                self.wait(from + met, ball, Kind::Cushion(index), [turns, 0]);
             }
         }
     }

@@ -7,7 +7,6 @@ use crate::physics::laws::ball_ball::{BallBallLaw, PairContact};
 use crate::sim::stepped::crowd::body::Body;
 use crate::sim::stepped::crowd::cells::TURNED;
 use crate::sim::stepped::crowd::look::Turn;
-use crate::sim::stepped::crowd::rows::Lanes;
 use crate::sim::stepped::crowd::search::Solver;
 use crate::sim::stepped::crowd::stripe::place;
 use crate::sim::stepped::crowd::turned::{Contact, Kind, Leg, Turned, turned};
@@ -114,7 +113,7 @@ impl<B: Body, const WIDE: bool> Solver<'_, B, WIDE> {
     /// The nearest place at which a ball overlaps no cushion.
     fn inside(&self, mut place: DVec2) -> DVec2 {
         let walls = self.stretch.walls;
-        if walls.is_clear(place) {
+        if place.abs().cmplt(self.clear).all() {
             return place;
         }
         let reach = self.stretch.table.reach(self.stretch.ball.radius);
@@ -129,23 +128,24 @@ impl<B: Body, const WIDE: bool> Solver<'_, B, WIDE> {
     }
 
     /// Puts a ball on the path that begins with this state.
-    fn follow(&mut self, at: u32, state: &State, time: f64, impacts: u16) -> Turn<B> {
+    fn follow(&mut self, at: u32, state: &State, time: f64, impacts: u16) -> Turn {
         let body = B::start(&self.stretch.laws.motion, &self.stretch.ball, state, time);
         self.turn(at, body, time, impacts)
     }
 
     /// Puts a ball on another path. Nobody sees it before it is looked for what it meets.
-    fn turn(&mut self, at: u32, body: B, from: f64, impacts: u16) -> Turn<B> {
+    #[inline]
+    fn turn(&mut self, at: u32, body: B, from: f64, impacts: u16) -> Turn {
         let (start, end) = (self.stretch.start, self.stretch.end);
-        let extent = self.stretch.extent(&body, from);
+        let bounds = self.stretch.bounds(&body, from);
         let (place, velocity) = (body.position(from), body.velocity(from));
-        let middle = body.position(0.5 * (from + end));
         let (begin, way) = (place - (from - start) * velocity, (end - start) * velocity);
         let stripe = self.stripe_mut(at);
         let (index, turned_id) = (place::index(at), stripe.turned.len() as u32);
         let sorted = stripe.sorted_mut(at);
-        let free = (middle - sorted.records[index].middle()).length() + extent;
-        sorted.lanes.set(index, Lanes::NOBODY);
+        let middle = sorted.records[index].middle();
+        let free = (middle - bounds[0]).max(bounds[1] - middle);
+        sorted.lanes.hide(index);
         let ball = sorted.balls[index];
         let mut leg = Leg {
             body,
@@ -165,12 +165,11 @@ impl<B: Body, const WIDE: bool> Solver<'_, B, WIDE> {
         let speed = velocity.length_squared();
         let most = &mut stripe.tally.speed;
         *most = if speed > *most { speed } else { *most };
-        self.wander = self.wander.max(free);
+        self.wander = self.wander.max(free.max_element());
         Turn {
             ball: at,
-            leg,
-            middle,
-            extent,
+            from,
+            bounds,
             path: [begin.x, begin.y, way.x, way.y].map(|number| number as f32),
         }
     }

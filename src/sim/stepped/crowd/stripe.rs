@@ -4,116 +4,12 @@ use std::ops::Range;
 
 use glam::DVec2;
 
-use crate::physics::ball::Ball;
-use crate::physics::laws::Laws;
 use crate::physics::roots::RootError;
-use crate::physics::table::Table;
 use crate::sim::stepped::crowd::body::Body;
-use crate::sim::stepped::crowd::cells::{Cells, MARKED, Record, Sorted};
+use crate::sim::stepped::crowd::cells::{Cells, Record, Sorted};
 use crate::sim::stepped::crowd::census::Tally;
-use crate::sim::stepped::crowd::rows::Near;
+use crate::sim::stepped::crowd::stretch::Stretch;
 use crate::sim::stepped::crowd::turned::{Contact, Turned};
-use crate::sim::stepped::crowd::walls::Walls;
-
-/// How much two balls may overlap before they are set apart, as a share of their distance at contact.
-const DEEP: f64 = 1e-4;
-
-/// What holds for all balls during one stretch of time: the tick, or a part of it. Times are on the clock of the crowd.
-#[derive(Clone, Copy)]
-pub(super) struct Stretch<'a> {
-    pub laws: &'a Laws,
-    pub table: &'a Table,
-    /// The constants of every ball.
-    pub ball: Ball,
-    pub walls: &'a Walls,
-    pub cells: Cells,
-    pub start: f64,
-    pub end: f64,
-    /// Balls that get further than this from the middle of their path are looked after one by one, m.
-    pub cut: f64,
-    /// Largest acceleration, m/s².
-    pub bend: f64,
-}
-
-impl Stretch<'_> {
-    /// The distance of centres at contact, m.
-    #[inline]
-    pub fn reach(&self) -> f64 {
-        2.0 * self.ball.radius
-    }
-
-    /// What two balls must come near enough to meet.
-    pub fn near(&self) -> Near {
-        let size = f64::max(self.table.length, self.table.width);
-        let rounding = 1e-5 * self.reach() + 4.0 * f64::from(f32::EPSILON) * size;
-        let length = self.end - self.start;
-        let wide = self.reach() + length * length * self.bend + rounding;
-        Near {
-            wide: wide as f32,
-            edge: (wide + 2.0 * self.cut + rounding) as f32,
-        }
-    }
-
-    /// Two balls nearer than this are set apart, m²: a contact that was seen in time is off by rounding only.
-    #[inline]
-    pub fn least_square(&self) -> f64 {
-        let least = self.reach() * (1.0 - DEEP);
-        least * least
-    }
-
-    /// How far a ball gets from the middle of the path it began on, m.
-    #[inline]
-    pub fn freedom<B: Body>(&self, body: &B) -> f64 {
-        let length = self.end - self.start;
-        let square = body.velocity(self.start).length_squared();
-        let free = 0.5 * length * f64::from((square as f32).sqrt());
-        if B::BENDS && square > 0.0 {
-            free + 0.5 * length * length * self.bend
-        } else {
-            free
-        }
-    }
-
-    #[inline]
-    pub fn is_fast<B: Body>(&self, body: &B) -> bool {
-        self.freedom(body) > self.cut
-    }
-
-    /// A ball as its cell knows it, the cell, and how far it gets.
-    #[inline]
-    pub fn record<B: Body>(&self, body: &B, slot: u32, tally: &mut Tally) -> (Record, u32, f64) {
-        let length = self.end - self.start;
-        let middle = body.position(self.start + 0.5 * length);
-        let velocity = body.velocity(self.start);
-        let square = velocity.length_squared();
-        tally.speed = if square > tally.speed {
-            square
-        } else {
-            tally.speed
-        };
-        tally.squares += square;
-        tally.stopped += u64::from(square == 0.0);
-        let free = self.freedom(body);
-        let mut record = Record::new(middle, length * velocity, slot);
-        let [column, row] = self.cells.at(middle);
-        let key = (row * self.cells.columns + column) as u32;
-        let is_fast = free > self.cut;
-        let ends = B::BENDS && body.change() <= self.end;
-        if is_fast || ends || !self.walls.is_clear(middle) {
-            record.ball |= MARKED;
-        }
-        (record, key, free)
-    }
-
-    /// How far a ball gets from the middle of its path between `from` and the end, m.
-    #[inline]
-    pub fn extent<B: Body>(&self, body: &B, from: f64) -> f64 {
-        let left = self.end - from;
-        let speed = body.velocity(from).length();
-        let bend = if B::BENDS { left * self.bend } else { 0.0 };
-        0.5 * left * (speed + bend)
-    }
-}
 
 /// Where a ball lies: the stripe and the index of its record there.
 pub(super) mod place {
@@ -158,9 +54,7 @@ pub(super) struct Stripe<B> {
     pub still: Sorted,
     /// Records of balls that may do more than move on, in order.
     pub marked: Vec<u32>,
-    /// How far the fastest ball gets from the middle of its path, m.
-    pub fastest: f64,
-    /// How far a ball that was turned gets from the middle of the path it began the stretch on, m.
+    /// How far a ball that was turned gets from the middle of the path it began the stretch on, along x or z, m.
     pub wander: f64,
     pub turned: Vec<Turned<B>>,
     /// Contacts that wait.
@@ -185,7 +79,6 @@ impl<B: Body> Stripe<B> {
             moving: Sorted::default(),
             still: Sorted::default(),
             marked: Vec::new(),
-            fastest: 0.0,
             wander: 0.0,
             turned: Vec::new(),
             waiting: Vec::new(),
@@ -202,34 +95,26 @@ impl<B: Body> Stripe<B> {
         self.failure = None;
         self.leaving.clear();
         self.coming.clear();
-        self.fastest = 0.0;
         let count = self.rows.len() * cells.columns;
         self.moving.first.clear();
         self.moving.first.resize(count + 1, 0);
+        let first = &mut self.moving.first[..count];
         let base = self.rows.start * cells.columns;
-        let home = self.home.clone();
-        let mut staged = std::mem::take(&mut self.staged);
-        staged.resize(
-            home.len(),
-            (Record::new(DVec2::ZERO, DVec2::ZERO, 0), ELSEWHERE),
-        );
-        let (mut fastest, mut tally) = (0.0_f64, Tally::default());
-        for (slot, (body, staged)) in
-            (home.start as u32..).zip(bodies[home].iter().zip(&mut staged))
-        {
-            let (record, key, free) = stretch.record(body, slot, &mut tally);
-            let cell = (key as usize).wrapping_sub(base);
-            *staged = (record, key);
-            if cell < count {
-                self.moving.first[cell] += 1;
+        let mut tally = Tally::default();
+        self.staged.clear();
+        let home = (self.home.start as u32..).zip(&bodies[self.home.clone()]);
+        let leaving = &mut self.leaving;
+        self.staged.extend(home.map(|(slot, body)| {
+            let (record, key) = stretch.record(body, slot, &mut tally);
+            if let Some(first) = first.get_mut((key as usize).wrapping_sub(base)) {
+                *first += 1;
+                (record, key)
             } else {
-                self.leaving.push((record, key));
-                staged.1 = ELSEWHERE;
+                leaving.push((record, key));
+                (record, ELSEWHERE)
             }
-            fastest = if free > fastest { free } else { fastest };
-        }
-        self.staged = staged;
-        (self.fastest, self.tally) = (fastest, tally);
+        }));
+        self.tally = tally;
     }
 
     /// The row of a key.
@@ -250,28 +135,40 @@ impl<B: Body> Stripe<B> {
             *first = sum;
         }
         self.moving.resize(sum as usize);
-        self.marked.clear();
-        for (record, key) in self.staged.iter().chain(&self.coming) {
-            if *key != ELSEWHERE {
-                let cell = &mut self.moving.first[(key - base) as usize];
-                *cell -= 1;
-                let at = *cell as usize;
-                self.moving.records[at] = *record;
+        let Sorted { first, records, .. } = &mut self.moving;
+        for list in [&self.staged, &self.coming] {
+            for (record, key) in list {
+                if *key != ELSEWHERE {
+                    let cell = &mut first[(key - base) as usize];
+                    *cell -= 1;
+                    records[*cell as usize] = *record;
+                }
             }
         }
         self.moving.sort_rows(stretch.cells.columns);
-        for (at, record) in (0..).zip(&mut self.moving.records) {
-            if record.ball & MARKED != 0 {
-                record.ball &= !MARKED;
-                self.marked.push(at);
-            }
-        }
-        self.moving.list();
+        self.moving.list(&mut self.marked);
         self.wander = 0.0;
         self.turned.clear();
         self.waiting.clear();
         self.wide.clear();
         self.foreign.clear();
+    }
+
+    /// Lists the pairs of a row of moving balls here with itself and the row after it, if that is here, that may meet.
+    pub fn find_close_here(&self, stretch: &Stretch, row: usize, close: &mut Vec<[u32; 2]>) {
+        let (row, columns) = (row - self.rows.start, stretch.cells.columns);
+        let (mine, near) = (self.moving.row(row, columns), stretch.near());
+        let next = (row + 1).min(self.rows.len() - 1);
+        let end = if next > row {
+            self.moving.row(next, columns)[1]
+        } else {
+            0
+        };
+        let start = |x| self.moving.start(next, &stretch.cells, x);
+        let one = place::of(self.index, 0);
+        let take = |i, k| close.push([one + i, one + k]);
+        let lanes = &self.moving.lanes;
+        lanes.pairs::<true>(mine, (lanes, end, start), near, take);
     }
 
     /// Lists the pairs of a row of moving balls here with another row, here or in another stripe, that may meet. With
@@ -287,20 +184,18 @@ impl<B: Body> Stripe<B> {
         let sorted = if still { &other.still } else { &other.moving };
         let mark = if still { place::STILL } else { 0 };
         let (one, two) = (place::of(self.index, 0), place::of(other.index, 0) | mark);
-        let (mine, near) = (
-            self.moving.row(row - self.rows.start, columns),
-            stretch.near(),
-        );
-        if row == other_row && !still {
-            let take = |i, k| close.push([one + i, one + k]);
-            self.moving.lanes.pairs(mine, near, take);
-        } else {
-            let theirs = sorted.row(other_row - other.rows.start, columns);
-            let take = |i, k| close.push([one + i, two + k]);
-            self.moving
-                .lanes
-                .pairs_with(mine, &sorted.lanes, theirs, near, take);
+        let mine = self.moving.row(row - self.rows.start, columns);
+        let other_row = other_row - other.rows.start;
+        let [_, end] = sorted.row(other_row, columns);
+        if end == 0 {
+            return;
         }
+        let start = |x| sorted.start(other_row, &stretch.cells, x);
+        let take = |i, k| close.push([one + i, two + k]);
+        let theirs = (&sorted.lanes, end, start);
+        self.moving
+            .lanes
+            .pairs::<false>(mine, theirs, stretch.near(), take);
     }
 
     /// Puts the balls that were turned and are at home here on their last paths.
@@ -363,6 +258,6 @@ impl<B: Body> Stripe<B> {
             self.still.records[at] = Record::new(*place, DVec2::ZERO, *slot);
         }
         self.still.sort_rows(cells.columns);
-        self.still.list();
+        self.still.list(&mut Vec::new());
     }
 }

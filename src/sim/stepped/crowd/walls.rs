@@ -13,8 +13,8 @@ pub(super) struct Walls {
     rows: usize,
     first: Vec<u32>,
     cushions: Vec<u32>,
-    /// A rectangle in which no ball touches anything: the middle of a box without pegs.
-    clear: [DVec2; 2],
+    /// Half the sides of a rectangle without cushions, m: a box without pegs. Zero if there is none.
+    half: DVec2,
 }
 
 /// Most cells along one side.
@@ -27,13 +27,13 @@ impl Walls {
         let size = DVec2::new(table.length, table.width);
         let cell = DVec2::splat(2.0 * reach).max(size / MOST);
         let cells = (size / cell).ceil().max(DVec2::ONE);
-        let clear = [DVec2::splat(reach) - 0.5 * size, 0.5 * size - reach];
+        let half = 0.5 * size * (1.0 - 1e-12);
         let is_outside = table.cushions.iter().all(|cushion| {
             let (least, most) = cushion.bounds();
-            (least - reach).cmpge(clear[1]).any() || (most + reach).cmple(clear[0]).any()
+            least.cmpge(half).any() || most.cmple(-half).any()
         });
         let mut walls = Self {
-            clear: if is_outside { clear } else { [DVec2::ZERO; 2] },
+            half: if is_outside { half } else { DVec2::ZERO },
             least: -0.5 * size,
             per_cell: cells / size,
             columns: cells.x as usize,
@@ -72,11 +72,11 @@ impl Walls {
         ]
     }
 
-    /// Whether there is certainly no cushion near a ball with the middle of its path here.
+    /// Half the sides of a rectangle, m: as long as the centre of a ball is in it, the ball is further than this from every
+    /// cushion. Below zero if there is none.
     #[inline]
-    pub fn is_clear(&self, point: DVec2) -> bool {
-        let [least, most] = self.clear;
-        point.x > least.x && point.y > least.y && point.x < most.x && point.y < most.y
+    pub fn clear(&self, distance: f64) -> DVec2 {
+        self.half - distance
     }
 
     /// The cushions that a ball with the middle of its path here can touch.
