@@ -195,7 +195,7 @@ impl<'a, B: Body, const WIDE: bool> Solver<'a, B, WIDE> {
             self.wait(change.max(from), ball, Kind::Change, [turns, 0]);
         }
         let clear = self.clear;
-        if (least.x < -clear.x) | (least.y < -clear.y) | (most.x > clear.x) | (most.y > clear.y) {
+        if least.x < -clear.x || least.y < -clear.y || most.x > clear.x || most.y > clear.y {
             self.cushions(ball);
         }
     }
