@@ -132,7 +132,7 @@ impl<'s> Audit<'s> {
 
     fn energy_of(&self, index: usize, state: &State) -> f64 {
         let ball = &self.scene.balls[index].ball;
-        ball.kinetic_energy(state) + ball.mass * self.gravity * (state.position.y - ball.radius)
+        ball.kinetic_energy(state) + self.scene.laws.motion.potential(ball, state)
     }
 
     fn state(&self, ball: usize, time: f64) -> State {

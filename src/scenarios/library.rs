@@ -93,6 +93,8 @@ pub const BUILT_IN: &[BuiltIn] = &[
 pub const CROWDS: &[BuiltIn] = &[
     scene!("crowds/", "crowd-5750"),
     scene!("crowds/", "rack-5050"),
+    scene!("crowds/", "galton"),
+    scene!("crowds/", "dam-break"),
     scene!("crowds/", "million"),
 ];
 

@@ -3,12 +3,14 @@
 mod build;
 mod ground;
 mod nose;
+mod peg_board;
 mod presets;
 mod spots;
 
 pub use build::{Mouth, PocketedTable};
 pub use ground::{FLOOR, Ground, RAIL};
 pub use nose::Nose;
+pub use peg_board::PegBoard;
 pub use presets::Preset;
 
 use glam::DVec2;

@@ -28,7 +28,7 @@ pub enum Preset {
 }
 
 /// Nose height of a pool table: 63.5 % of a 57.15 mm ball (WPA: 62.5 to 64.5 %).
-const POOL_NOSE_HEIGHT: f64 = 0.635 * 0.057_15;
+pub(super) const POOL_NOSE_HEIGHT: f64 = 0.635 * 0.057_15;
 
 impl Preset {
     /// The presets that need no numbers.

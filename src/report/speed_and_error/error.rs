@@ -1,23 +1,18 @@
 //! How far a method is off the exact solver.
 
-use crate::physics::ball::{Motion, State};
+use crate::physics::ball::State;
 use crate::physics::scene::Scene;
 use crate::report::speed_and_error::horizon::{Truth, agreement, apart};
 use crate::report::speed_and_error::play::Played;
 
-/// Kinetic energy in J of all balls on the table, and what those in flight have by their height.
+/// Energy in J of all balls on the table, kinetic and potential.
 #[must_use]
 pub fn energy(scene: &Scene, states: &[State]) -> f64 {
-    let gravity = scene.laws.motion.gravity().unwrap_or(0.0);
     let of = |(body, state): (&crate::physics::scene::SceneBall, &State)| {
         if !state.motion.in_play() {
             return 0.0;
         }
-        let height = match state.motion {
-            Motion::Airborne | Motion::Tipping => state.position.y - body.ball.radius,
-            _ => 0.0,
-        };
-        body.ball.kinetic_energy(state) + body.ball.mass * gravity * height
+        body.ball.kinetic_energy(state) + scene.laws.motion.potential(&body.ball, state)
     };
     scene.balls.iter().zip(states).map(of).sum()
 }

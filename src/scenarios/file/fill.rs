@@ -30,6 +30,10 @@ pub(super) struct Fill {
     /// Least distance between balls in m.
     #[serde(default = "Fill::default_gap")]
     gap: f64,
+    /// The rectangle of the table that is filled at random or by a lattice, its least and greatest x and z in m; absent is
+    /// the whole table.
+    #[serde(default)]
+    within: Option<((f64, f64), (f64, f64))>,
     /// Least and greatest mass, kg; absent is the mass of the file's `ball`.
     #[serde(default)]
     masses: Option<(f64, f64)>,
@@ -117,17 +121,21 @@ impl Fill {
 
     /// Where the ball of this index is tried; `jitter` from -1 to 1.
     fn point(&self, scene: &Scene, radius: f64, index: u32, jitter: DVec2) -> DVec2 {
-        let size = DVec2::new(scene.table.length, scene.table.width);
+        let whole = 0.5 * DVec2::new(scene.table.length, scene.table.width);
+        let (least, most) = self.within.map_or((-whole, whole), |((x0, z0), (x1, z1))| {
+            (DVec2::new(x0, z0), DVec2::new(x1, z1))
+        });
+        let (size, middle) = (most - least, 0.5 * (least + most));
         let index = f64::from(index);
         match self.order {
-            Order::Random => jitter * (0.5 * size - radius),
+            Order::Random => middle + jitter * (0.5 * size - radius).max(DVec2::ZERO),
             Order::Lattice => {
                 let columns = (f64::from(self.count) * size.x / size.y).sqrt().ceil();
                 let rows = (f64::from(self.count) / columns).ceil();
                 let cell = size / DVec2::new(columns, rows);
                 let place = DVec2::new(index % columns, (index / columns).floor()) + 0.5;
                 let free = (0.5 * cell - radius).max(DVec2::ZERO);
-                place * cell - 0.5 * size + jitter * free
+                least + place * cell + jitter * free
             }
             Order::Triangle => {
                 let row = ((8.0 * index + 1.0).sqrt() * 0.5 - 0.5).floor();
@@ -143,7 +151,10 @@ impl Fill {
     fn check_room(&self, scene: &Scene, default: Ball) -> Result<(), LayoutError> {
         let radius = self.radii.map_or(default.radius, |(least, _)| least);
         let covered = f64::from(self.count) * std::f64::consts::PI * radius * radius;
-        let room = scene.table.length * scene.table.width;
+        let room = match self.within {
+            Some(((x0, z0), (x1, z1))) if self.order != Order::Triangle => (x1 - x0) * (z1 - z0),
+            _ => scene.table.length * scene.table.width,
+        };
         if covered > room {
             let count = self.count;
             let most = room / (std::f64::consts::PI * radius * radius);
@@ -180,6 +191,18 @@ impl Fill {
         within("fill.gap", self.gap, 0.0, 1.0)?;
         within("ball.radius", default.radius, 1e-6, 1e3)?;
         within("ball.mass", default.mass, 1e-9, 1e9)?;
+        if let Some((from, to)) = self.within {
+            for (field, least, most) in [
+                ("fill.within (x)", from.0, to.0),
+                ("fill.within (z)", from.1, to.1),
+            ] {
+                within(field, least, -1e4, 1e4)?;
+                within(field, most, -1e4, 1e4)?;
+                if least > most {
+                    return Err(FieldError::EmptyRange { field, least, most }.into());
+                }
+            }
+        }
         for (field, range, least, most) in [
             ("fill.masses", self.masses, 1e-9, 1e9),
             ("fill.radii", self.radii, 1e-6, 1e3),
@@ -297,6 +320,7 @@ mod tests {
             speed: 0.0,
             spin: 0.0,
             gap: 1e-6,
+            within: None,
             masses: None,
             radii: None,
         };

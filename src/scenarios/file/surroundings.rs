@@ -9,7 +9,7 @@ use crate::physics::laws::pocket::PocketLaw;
 use crate::physics::laws::slate::SlateLaw;
 use crate::physics::laws::{Check, Laws};
 use crate::physics::scene::{SceneError, check_parameter};
-use crate::physics::table::{Mouth, PocketedTable, Preset, Table};
+use crate::physics::table::{Mouth, PegBoard, PocketedTable, Preset, Table};
 
 /// A table by name, by the measures of a maker, or in full.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -22,6 +22,7 @@ pub(in crate::scenarios) enum TableEntry {
     Carom,
     Box { length: f64, width: f64 },
     Pocketed(PocketedEntry),
+    Pegs(PegsEntry),
     Full(Table),
 }
 
@@ -36,6 +37,37 @@ pub(in crate::scenarios) struct PocketedEntry {
     cushion_depth: f64,
     corner: MouthEntry,
     side: MouthEntry,
+}
+
+/// The measures of a board of pegs, see [`PegBoard`].
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename = "Pegs")]
+pub(in crate::scenarios) struct PegsEntry {
+    rows: u32,
+    pitch: f64,
+    peg_radius: f64,
+    room: f64,
+    funnel: f64,
+    mouth: f64,
+    bins: f64,
+}
+
+impl PegsEntry {
+    fn table(self) -> Result<Table, SceneError> {
+        let board = PegBoard {
+            rows: self.rows,
+            pitch: self.pitch,
+            peg_radius: self.peg_radius,
+            room: self.room,
+            funnel: self.funnel,
+            mouth: self.mouth,
+            bins: self.bins,
+        };
+        for parameter in board.parameters() {
+            check_parameter(&parameter.within("table"))?;
+        }
+        Ok(board.build())
+    }
 }
 
 /// The measures of a pocket mouth, see [`Mouth`].
@@ -107,7 +139,7 @@ impl TableEntry {
             Self::Snooker => Some(Preset::Snooker),
             Self::Carom => Some(Preset::Carom),
             Self::Box { length, width } => Some(Preset::Box { length, width }),
-            Self::Pocketed(_) | Self::Full(_) => None,
+            Self::Pocketed(_) | Self::Pegs(_) | Self::Full(_) => None,
         }
     }
 
@@ -117,6 +149,7 @@ impl TableEntry {
             (Some(preset), _) => Ok(preset.table()),
             (None, Self::Full(table)) => Ok(table),
             (None, Self::Pocketed(measures)) => measures.table(),
+            (None, Self::Pegs(measures)) => measures.table(),
             (None, _) => Ok(Preset::NineFoot.table()),
         }
     }

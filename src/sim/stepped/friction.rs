@@ -20,7 +20,7 @@ pub(super) fn apply_friction(mut bodies: ResMut<Bodies>, playfield: Res<Playfiel
             MotionLaw::Coursework(coursework) => {
                 law.classify(&body.ball, coursework.rub(&body.ball, &state, tick))
             }
-            MotionLaw::Frictionless | MotionLaw::Coulomb(_) => state,
+            MotionLaw::Frictionless | MotionLaw::Inclined(_) | MotionLaw::Coulomb(_) => state,
         };
     }
 }

@@ -1,4 +1,4 @@
-//! What can be changed while a crowd runs: count, restitution, friction, tick.
+//! What can be changed while a crowd runs: count, restitution, friction, tilt, tick.
 
 use std::ops::RangeInclusive;
 
@@ -10,7 +10,7 @@ use crate::game::scatter::scattered;
 use crate::physics::laws::Laws;
 use crate::physics::laws::ball_ball::{BallBallLaw, Friction, Frictional, Frictionless, PeerCap};
 use crate::physics::laws::cushion::CushionLaw;
-use crate::physics::laws::motion::{Cloth, MotionLaw};
+use crate::physics::laws::motion::{Cloth, Incline, MotionLaw};
 use crate::physics::laws::restitution::Restitution;
 use crate::physics::scene::{Scene, Solver};
 use crate::sim::clock::Clock;
@@ -25,6 +25,10 @@ use crate::window::language::Language;
 
 /// Balls up to which the laws change while a dial is still being turned: every change sorts the crowd anew.
 const AT_ONCE: usize = 20_000;
+
+/// Gravity, m/s², and the greatest tilt, degrees.
+const GRAVITY: f64 = 9.81;
+const STEEPEST: f64 = 30.0;
 
 /// A number that can be turned.
 struct Dial {
@@ -87,7 +91,10 @@ pub(super) fn show(
 ) -> bool {
     let at_once = count <= AT_ONCE;
     let mut laws = playfield.laws;
-    let mut cloth = laws.motion != MotionLaw::Frictionless;
+    let mut cloth = !matches!(
+        laws.motion,
+        MotionLaw::Frictionless | MotionLaw::Inclined(_)
+    );
     egui::Grid::new("dials").num_columns(2).show(ui, |ui| {
         if let Some(before) = recorder
             .before
@@ -107,6 +114,7 @@ pub(super) fn show(
             }
         }
         balls(ui, language, &mut laws, at_once, spins);
+        tilt(ui, language, &mut laws.motion, at_once);
         if let Some(wish) = rate(ui, language, playfield) {
             set_tick(playfield, clock, wish);
         }
@@ -120,6 +128,9 @@ pub(super) fn show(
         } else {
             MotionLaw::Frictionless
         };
+    }
+    if let MotionLaw::Inclined(_) = laws.motion {
+        ui.label(egui::RichText::new(language.text("crowd-tilted")).weak());
     }
     if let MotionLaw::Coulomb(cloth) = &mut laws.motion {
         egui::Grid::new("cloth").num_columns(2).show(ui, |ui| {
@@ -140,6 +151,37 @@ pub(super) fn show(
     let is_other = other != std::mem::discriminant(&playfield.laws.motion);
     playfield.laws = laws;
     is_other
+}
+
+/// How far the table is tilted, along and across, in degrees.
+fn tilt(ui: &mut egui::Ui, language: &Language, motion: &mut MotionLaw, at_once: bool) {
+    let slope =
+        [motion.pull().x, motion.pull().z].map(|pull| libm::asin(pull / GRAVITY).to_degrees());
+    for (axis, label) in [(0, "crowd-tilt-along"), (1, "crowd-tilt-across")] {
+        let dial = Dial {
+            label,
+            range: -STEEPEST..=STEEPEST,
+            decimals: 1,
+            ratios: false,
+            suffix: "°",
+            at_once,
+        };
+        if let Some(wish) = dial.show(ui, language, slope[axis]) {
+            let mut slope = slope;
+            slope[axis] = wish;
+            set_tilt(motion, slope);
+        }
+    }
+}
+
+/// Tilts the table; a tilted one has no cloth, and a level one stays as it is.
+fn set_tilt(motion: &mut MotionLaw, slope: [f64; 2]) {
+    let [x, z] = slope.map(|angle| GRAVITY * libm::sin(angle.to_radians()));
+    if x != 0.0 || z != 0.0 {
+        *motion = MotionLaw::Inclined(Incline { x, z });
+    } else if let MotionLaw::Inclined(_) = motion {
+        *motion = MotionLaw::Frictionless;
+    }
 }
 
 /// So many balls as the scene began with, in the background.
@@ -278,6 +320,20 @@ mod tests {
             assert_eq!((friction(&law), law.restitution()), (0.0, 0.7));
             assert!(matches!(law, BallBallLaw::Frictionless(_)));
         }
+    }
+
+    #[test]
+    fn a_tilted_table_has_no_cloth_and_a_level_one_keeps_its_own() {
+        let cloth = MotionLaw::Coulomb(Cloth::default());
+        let mut motion = cloth;
+        set_tilt(&mut motion, [0.0, 0.0]);
+        assert_eq!(motion, cloth);
+        set_tilt(&mut motion, [-STEEPEST, 5.0]);
+        let pull = motion.pull();
+        assert!((pull.x + 0.5 * GRAVITY).abs() < 1e-12, "{pull}");
+        assert!((pull.z - 0.855).abs() < 1e-3, "{pull}");
+        set_tilt(&mut motion, [0.0, 0.0]);
+        assert_eq!(motion, MotionLaw::Frictionless);
     }
 
     #[test]

@@ -30,7 +30,7 @@ pub(super) struct Numbers {
     rates: (f64, f64),
     /// Deepest overlap since the scene began, m.
     overlap: f64,
-    /// Energy of the first tick, J.
+    /// Energy of the first tick, kinetic and potential, J.
     first: Option<f64>,
     /// s of a frame.
     frame: f64,
@@ -64,7 +64,9 @@ pub(super) fn count(
     numbers.counted.1 += census.cushions;
     numbers.counted.2 += clock.tick;
     numbers.overlap = numbers.overlap.max(census.overlap);
-    numbers.first.get_or_insert(census.energy);
+    numbers
+        .first
+        .get_or_insert(census.energy + census.potential);
 }
 
 /// Follows the frames, and tells rates four times a second.
@@ -143,8 +145,20 @@ pub(super) fn show(
                 format!("{} /s", large(numbers.rates.1)),
             );
             row("crowd-energy", format!("{:.6} J", census.energy));
-            if let Some(first) = numbers.first.filter(|first| *first > 0.0) {
-                row("crowd-energy-change", change(census.energy / first - 1.0));
+            if census.potential != 0.0 {
+                row("crowd-potential", format!("{:.6} J", census.potential));
+            }
+            if let Some(first) = numbers.first {
+                // Where the middle of the table counts as zero, the whole can be zero too.
+                let now = census.energy + census.potential;
+                let scale = if census.potential == 0.0 {
+                    first
+                } else {
+                    census.energy
+                };
+                if scale > 0.0 {
+                    row("crowd-energy-change", change((now - first) / scale));
+                }
             }
             row("crowd-fastest", format!("{:.3} m/s", census.speed));
             let diameter = 2.0 * f64::from(packed.radius.max(f32::MIN_POSITIVE));

@@ -53,7 +53,11 @@ fn laws_of(ui: &mut egui::Ui, language: &Language, laws: &mut Laws) {
             ui,
             language.text("laws-friction"),
             &mut laws.motion,
-            MotionLaw::all(),
+            // A slope is for crowds: on one nothing comes to rest, and no shot ends.
+            MotionLaw::all()
+                .into_iter()
+                .filter(|law| law.pull() == glam::DVec3::ZERO)
+                .collect(),
         );
         choice(
             ui,

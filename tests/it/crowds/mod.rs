@@ -1,9 +1,11 @@
 //! Crowds against the solver for few balls, against the exact solver, and against the laws of conservation.
 
 mod conservation;
+mod galton;
 mod refusals;
 mod same_bits;
 mod scenes;
+mod tilted;
 mod with_cloth;
 
 use glam::DVec3;

@@ -161,6 +161,9 @@ pub fn motion_law() -> impl Strategy<Value = MotionLaw> {
             match &mut law {
                 _ if !vary => {}
                 MotionLaw::Frictionless | MotionLaw::Coursework(_) => {}
+                MotionLaw::Inclined(incline) => {
+                    (incline.x, incline.z) = (sliding * gravity, -rolling * gravity);
+                }
                 MotionLaw::Coulomb(cloth) => {
                     cloth.sliding = sliding;
                     cloth.rolling = rolling;

@@ -5,11 +5,14 @@
 
 mod coulomb;
 mod frictionless;
+mod incline;
 mod piece;
 
 pub use coulomb::Cloth;
+pub use incline::Incline;
 pub use piece::Piece;
 
+use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 use crate::physics::ball::{Ball, State};
@@ -21,6 +24,8 @@ use crate::physics::laws::{Check, Parameter};
 pub enum MotionLaw {
     /// No cloth: straight lines at constant speed for ever.
     Frictionless,
+    /// No cloth, and the table tilted: the same constant acceleration for every ball.
+    Inclined(Incline),
     /// Coulomb friction between ball and cloth: slide, roll, spin, rest.
     Coulomb(Cloth),
     /// The linear drag of the coursework report; stepped solver only.
@@ -33,6 +38,7 @@ impl MotionLaw {
     pub fn all() -> Vec<Self> {
         vec![
             Self::Frictionless,
+            Self::Inclined(Incline::default()),
             Self::Coulomb(Cloth::default()),
             Self::Coursework(Coursework::default()),
         ]
@@ -49,8 +55,25 @@ impl MotionLaw {
     pub fn gravity(&self) -> Option<f64> {
         match self {
             Self::Coulomb(cloth) => Some(cloth.gravity),
-            Self::Frictionless | Self::Coursework(_) => None,
+            Self::Frictionless | Self::Inclined(_) | Self::Coursework(_) => None,
         }
+    }
+
+    /// Acceleration in m/s² that the law gives every ball on the slate, however it moves.
+    #[must_use]
+    pub fn pull(&self) -> DVec3 {
+        match self {
+            Self::Inclined(incline) => incline.pull(),
+            Self::Frictionless | Self::Coulomb(_) | Self::Coursework(_) => DVec3::ZERO,
+        }
+    }
+
+    /// Potential energy in J, from the middle of the slate.
+    #[must_use]
+    pub fn potential(&self, ball: &Ball, state: &State) -> f64 {
+        let height = state.position.y - ball.radius;
+        let along = self.pull().dot(state.position);
+        ball.mass * (self.gravity().unwrap_or(0.0) * height - along)
     }
 
     /// The closed-form piece that starts with this state. For the coursework model, which has no closed
@@ -59,6 +82,7 @@ impl MotionLaw {
     pub fn piece(&self, ball: &Ball, state: &State) -> Piece {
         match self {
             Self::Coulomb(cloth) => coulomb::piece(cloth, ball, state),
+            Self::Inclined(incline) => incline::piece(incline, state),
             Self::Frictionless | Self::Coursework(_) => frictionless::piece(state),
         }
     }
@@ -71,6 +95,7 @@ impl MotionLaw {
         }
         match self {
             Self::Coulomb(_) => coulomb::classify(ball, state),
+            Self::Inclined(incline) => incline::classify(incline, state),
             Self::Frictionless | Self::Coursework(_) => frictionless::classify(state),
         }
     }
@@ -93,6 +118,7 @@ impl Check for MotionLaw {
     fn parameters(&self) -> Vec<Parameter> {
         match self {
             Self::Frictionless => Vec::new(),
+            Self::Inclined(incline) => incline.parameters(),
             Self::Coulomb(cloth) => cloth.parameters(),
             Self::Coursework(coursework) => coursework.parameters(),
         }

@@ -27,6 +27,11 @@ pub(super) trait Body: Copy + Send + Sync + 'static {
     /// Acceleration in plan, m/s².
     fn acceleration(&self) -> DVec2;
 
+    /// When the piece began, where a body knows it: when it last met something, on a slope.
+    fn since(&self) -> f64 {
+        f64::NEG_INFINITY
+    }
+
     /// When the kind of motion changes.
     fn change(&self) -> f64;
 
@@ -238,6 +243,11 @@ impl Body for Rubbed {
     #[inline]
     fn acceleration(&self) -> DVec2 {
         self.acceleration
+    }
+
+    #[inline]
+    fn since(&self) -> f64 {
+        self.since
     }
 
     #[inline]

@@ -5,6 +5,7 @@ use std::time::{Duration, Instant};
 use bevy::prelude::*;
 
 use crate::physics::ball::{Ball, State};
+use crate::physics::laws::motion::MotionLaw;
 
 /// The passes of a tick, in their order. They carry the names of the systems of a tick.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -52,6 +53,8 @@ pub struct Census {
     pub overlap: f64,
     /// Kinetic energy of translation and rotation at the end of the tick, J.
     pub energy: f64,
+    /// Potential energy on a tilted table at the end of the tick, J, from the middle of the table.
+    pub potential: f64,
     /// Momentum along x and z, kg m/s.
     pub momentum: [f64; 2],
     /// Largest speed at the end of the tick, m/s.
@@ -113,6 +116,7 @@ impl Tally {
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Sums {
     pub energy: f64,
+    pub potential: f64,
     pub momentum: [f64; 2],
     /// Square of the largest speed.
     pub speed: f64,
@@ -122,9 +126,10 @@ pub(super) struct Sums {
 impl Sums {
     /// Counts a ball.
     #[inline]
-    pub fn count(&mut self, ball: &Ball, state: &State) {
+    pub fn count(&mut self, law: &MotionLaw, ball: &Ball, state: &State) {
         let v = state.velocity;
         self.energy += ball.kinetic_energy(state);
+        self.potential += law.potential(ball, state);
         self.momentum[0] += ball.mass * v.x;
         self.momentum[1] += ball.mass * v.z;
         self.speed = self.speed.max(v.length_squared());
@@ -133,6 +138,7 @@ impl Sums {
 
     pub fn add(&mut self, other: &Self) {
         self.energy += other.energy;
+        self.potential += other.potential;
         self.momentum[0] += other.momentum[0];
         self.momentum[1] += other.momentum[1];
         self.speed = self.speed.max(other.speed);

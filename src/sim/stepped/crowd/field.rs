@@ -110,17 +110,21 @@ impl<B: Body> Field<B> {
     }
 
     /// What is summed over balls. The blocks do not depend on threads.
-    pub fn sums(&self, ball: &Ball, threads: usize) -> Sums {
+    pub fn sums(&self, law: &MotionLaw, ball: &Ball, threads: usize) -> Sums {
         let mut sums = vec![Sums::default(); self.moving.div_ceil(BLOCK) + 1];
         let woken = |sums: &mut Sums| {
             for slot in &self.woken {
-                sums.count(ball, &self.bodies[*slot as usize].state(ball, self.now));
+                sums.count(
+                    law,
+                    ball,
+                    &self.bodies[*slot as usize].state(ball, self.now),
+                );
             }
         };
         let blocks = self.bodies[..self.moving].chunks(BLOCK).zip(&mut sums[1..]);
         share(threads, blocks, |(bodies, sums)| {
             for body in bodies {
-                sums.count(ball, &body.state(ball, self.now));
+                sums.count(law, ball, &body.state(ball, self.now));
             }
         });
         woken(&mut sums[0]);

@@ -7,6 +7,7 @@ use bevy::ecs::system::SystemChangeTick;
 use bevy::prelude::*;
 
 use crate::physics::ball::{Ball, State};
+use crate::physics::laws::motion::MotionLaw;
 use crate::sim::clock::Clock;
 use crate::sim::components::{
     AngularVelocity, BallIndex, Mass, MotionKind, Position, Radius, Velocity, ball_and_state,
@@ -136,6 +137,7 @@ fn read(crowd: &Crowd, balls: &Read, now: Tick) -> Result<(Ball, Vec<(u32, State
 pub(in crate::sim::stepped) fn write(
     mut crowd: ResMut<Crowd>,
     mut census: ResMut<Census>,
+    playfield: Res<Playfield>,
     mut balls: Write,
     ticks: SystemChangeTick,
 ) {
@@ -147,14 +149,16 @@ pub(in crate::sim::stepped) fn write(
     let Some(ball) = crowd.ball else { return };
     let wanted = crowd.mirror == Mirror::EveryTick || crowd.asked;
     let crowd = &mut *crowd;
+    let law = &playfield.laws.motion;
     let sums = match &crowd.field {
-        Some(Kind::Gliding(field)) if wanted => write_all(field, &ball, threads, &mut balls),
-        Some(Kind::Rubbed(field)) if wanted => write_all(field, &ball, threads, &mut balls),
-        Some(Kind::Gliding(field)) => field.sums(&ball, threads),
-        Some(Kind::Rubbed(field)) => field.sums(&ball, threads),
+        Some(Kind::Gliding(field)) if wanted => write_all(field, (law, &ball), threads, &mut balls),
+        Some(Kind::Rubbed(field)) if wanted => write_all(field, (law, &ball), threads, &mut balls),
+        Some(Kind::Gliding(field)) => field.sums(law, &ball, threads),
+        Some(Kind::Rubbed(field)) => field.sums(law, &ball, threads),
         None => return,
     };
     census.energy = sums.energy;
+    census.potential = sums.potential;
     census.momentum = sums.momentum;
     census.speed = sums.speed.sqrt();
     book(&mut census, Pass::Mirror, lap);
@@ -162,8 +166,8 @@ pub(in crate::sim::stepped) fn write(
     if wanted || !sums.moves {
         if !wanted {
             match &crowd.field {
-                Some(Kind::Gliding(field)) => write_all(field, &ball, threads, &mut balls),
-                Some(Kind::Rubbed(field)) => write_all(field, &ball, threads, &mut balls),
+                Some(Kind::Gliding(field)) => write_all(field, (law, &ball), threads, &mut balls),
+                Some(Kind::Rubbed(field)) => write_all(field, (law, &ball), threads, &mut balls),
                 None => return,
             };
         }
@@ -176,7 +180,12 @@ pub(in crate::sim::stepped) fn write(
 /// Balls written at a time by one thread.
 const CHUNK: usize = 16_384;
 
-fn write_all<B: Body>(field: &Field<B>, ball: &Ball, threads: usize, balls: &mut Write) -> Sums {
+fn write_all<B: Body>(
+    field: &Field<B>,
+    (law, ball): (&MotionLaw, &Ball),
+    threads: usize,
+    balls: &mut Write,
+) -> Sums {
     let Ok(tables) = balls.contiguous_iter_mut() else {
         return Sums::default();
     };
@@ -197,7 +206,7 @@ fn write_all<B: Body>(field: &Field<B>, ball: &Ball, threads: usize, balls: &mut
                 let Some(state) = field.state(ball, index[k].0) else {
                     continue;
                 };
-                sums.count(ball, &state);
+                sums.count(law, ball, &state);
                 position[k] = Position(state.position);
                 velocity[k] = Velocity(state.velocity);
                 motion[k] = MotionKind(state.motion);

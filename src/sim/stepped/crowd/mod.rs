@@ -5,6 +5,9 @@
 //! are located inside the tick and resolved in order of time but for a few in a thousand, which the census counts. The same bits on
 //! any number of threads.
 //!
+//! On a tilted table balls come to lie on cushions and on each other, and would bounce ever more often. There a contact
+//! that lasts loses nothing ([`lasting`]): what lies goes on trembling, by some centimetres a second under ten others.
+//!
 //! A crowd tells nothing ball by ball: no messages of contacts and no record, only the numbers of its [`Census`]. Its
 //! balls are equal, stay on the slate and know no pockets. Everything else plays in the general solver.
 
@@ -14,6 +17,7 @@ mod calendar;
 mod cells;
 mod census;
 mod field;
+mod lasting;
 mod look;
 mod mirror;
 mod order;
@@ -170,6 +174,7 @@ impl Crowd {
             fast: 0.0,
             clear: DVec2::ZERO,
             bend: bend(&playfield.laws),
+            pull: playfield.laws.motion.pull().length(),
         };
         census.times = Default::default();
         let tally = match field {
@@ -192,6 +197,7 @@ impl Crowd {
 fn bend(laws: &Laws) -> f64 {
     match &laws.motion {
         MotionLaw::Coulomb(cloth) => cloth.sliding.max(cloth.rolling) * cloth.gravity,
+        MotionLaw::Inclined(incline) => incline.pull().length(),
         MotionLaw::Frictionless | MotionLaw::Coursework(_) => 0.0,
     }
 }

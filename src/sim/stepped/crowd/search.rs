@@ -18,13 +18,10 @@ use crate::sim::stepped::crowd::rows::Near;
 use crate::sim::stepped::crowd::stretch::Stretch;
 use crate::sim::stepped::crowd::stripe::{Stripe, place};
 use crate::sim::stepped::crowd::turned::{Contact, Kind, Leg, Seen, turned};
-use crate::sim::stepped::resolve::{BOUNCES, IMPACTS};
+use crate::sim::stepped::resolve::IMPACTS;
 
 /// What is added to distances before they are compared, for rounding; a share.
 pub(super) const MARGIN: f64 = 1e-9;
-/// A ball that has met so many others in a part of a tick that it no longer bounces meets them at most this often in a
-/// part: balls pressed together would meet without end. Until then they may overlap a little.
-const RATTLES: f64 = 16.0;
 
 /// Memory that is kept from tick to tick.
 #[derive(Debug, Default)]
@@ -223,7 +220,16 @@ impl<'a, B: Body, const WIDE: bool> Solver<'a, B, WIDE> {
                 Cushion::Arc(arc) => contact::arc(&path, arc, reach, left),
             };
             if let Some(met) = self.found(ball, met) {
-                self.wait(from + met, ball, Kind::Cushion(index), [turns, 0]);
+                // Only a slope drives a ball back to a cushion by itself.
+                let pause = if self.stretch.pull > 0.0 {
+                    self.stretch.pause(u32::from(impacts))
+                } else {
+                    0.0
+                };
+                if pause <= end - from {
+                    let time = from + met.max(pause);
+                    self.wait(time, ball, Kind::Cushion(index), [turns, 0]);
+                }
             }
         }
     }
@@ -257,12 +263,8 @@ impl<'a, B: Body, const WIDE: bool> Solver<'a, B, WIDE> {
             return None;
         }
         let impacts = u32::from(a.impacts.max(b.impacts));
-        if impacts < BOUNCES {
-            return Some(from + met);
-        }
-        // A ball that rattles between others meets them at most so often.
-        let least = (end - self.stretch.start) / RATTLES;
-        Some(from + met.max(least)).filter(|time| *time <= end && impacts <= IMPACTS)
+        let time = from + met.max(self.stretch.pause(impacts));
+        Some(time).filter(|time| *time <= end && impacts <= IMPACTS)
     }
 
     fn meet_bent(&self, place: u32, (a, b): (&Seen<B>, &Seen<B>), from: f64) -> Option<f64> {

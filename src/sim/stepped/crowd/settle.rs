@@ -28,7 +28,11 @@ impl<B: Body, const WIDE: bool> Solver<'_, B, WIDE> {
                 let table = self.stretch.table;
                 let met = (ball, &leg.body.state(ball, time));
                 let cushion = &table.cushions[index as usize];
-                let settled = (u32::from(leg.impacts) >= BOUNCES).then_some(0.0);
+                let closing = || {
+                    let (_, normal) = cushion.nearest(leg.body.position(time));
+                    leg.body.velocity(time).dot(normal).abs()
+                };
+                let settled = self.stretch.settled(time, [&leg, &leg], closing);
                 let rebound = laws.cushion.meet(table, cushion, met, settled);
                 let after = laws.motion.classify(ball, rebound.state);
                 let turn = self.follow(one, &after, time, leg.impacts + 1);
@@ -43,7 +47,11 @@ impl<B: Body, const WIDE: bool> Solver<'_, B, WIDE> {
         let (ball, laws) = (&self.stretch.ball, self.stretch.laws);
         let apart = self.apart(time, &one, &other);
         let impacts = u32::from(one.1.impacts.max(other.1.impacts));
-        let settled = (impacts >= BOUNCES).then_some(0.0);
+        let settled = self.stretch.settled(time, [&one.1, &other.1], || {
+            let normal = other.1.body.position(time) - one.1.body.position(time);
+            let velocity = other.1.body.velocity(time) - one.1.body.velocity(time);
+            velocity.dot(normal.normalize_or_zero()).abs()
+        });
         self.tally().saturated += u64::from(impacts == BOUNCES);
         if let (BallBallLaw::Frictionless(law), None) = (&laws.ball_ball, apart)
             && let Some(bodies) = B::collide([&one.1.body, &other.1.body], time, law.restitution)

@@ -37,6 +37,8 @@ pub(super) struct Stretch<'a> {
     pub clear: DVec2,
     /// Largest acceleration, m/s².
     pub bend: f64,
+    /// Acceleration of every ball along a tilted table, m/s².
+    pub pull: f64,
 }
 
 impl Stretch<'_> {
