@@ -3,6 +3,9 @@
 use std::collections::BTreeMap;
 
 use bevy::prelude::*;
+use leafwing_input_manager::buttonlike::ButtonValue;
+use leafwing_input_manager::input_map::{UpdatedActions, UpdatedValue};
+use leafwing_input_manager::prelude::updating::CentralInputStore;
 use leafwing_input_manager::prelude::*;
 
 use super::{Action, CONTROLS, Control, Way};
@@ -138,23 +141,68 @@ pub fn default_keys() -> InputMap<Action> {
     Bindings::default().input_map()
 }
 
+/// The controls as the input manager reads them.
+///
+/// They are no component of the entity that holds the state of the actions: there the manager would compare every action
+/// with every other each frame, for a control that is part of another's. None of ours can be: each is one key, button or axis.
+#[derive(Resource)]
+pub(super) struct Map(InputMap<Action>);
+
+impl Default for Map {
+    fn default() -> Self {
+        Self(default_keys())
+    }
+}
+
+/// What is held down and moved. An action is as far pressed as the one of its controls that is pressed most.
+pub(super) fn read(
+    map: Res<Map>,
+    inputs: Res<CentralInputStore>,
+    pads: Query<Entity, With<Gamepad>>,
+    mut actions: Single<&mut ActionState<Action>>,
+) {
+    let pad = pads.iter().next().unwrap_or(Entity::PLACEHOLDER);
+    let buttons = map.0.iter_buttonlike().map(|(action, controls)| {
+        let value = controls.iter().fold(0.0, |most: f32, control| {
+            most.max(control.value(&inputs, pad))
+        });
+        let pressed = controls.iter().any(|control| control.pressed(&inputs, pad));
+        (
+            *action,
+            UpdatedValue::Button(ButtonValue { pressed, value }),
+        )
+    });
+    let axes = map.0.iter_axislike().map(|(action, controls)| {
+        let sum = controls
+            .iter()
+            .filter_map(|axis| axis.get_value(&inputs, pad));
+        (*action, UpdatedValue::Axis(sum.sum()))
+    });
+    let planes = map.0.iter_dual_axislike().map(|(action, controls)| {
+        let sum = controls
+            .iter()
+            .filter_map(|axes| axes.get_axis_pair(&inputs, pad));
+        (*action, UpdatedValue::DualAxis(sum.sum()))
+    });
+    actions.update(UpdatedActions(buttons.chain(axes).chain(planes).collect()));
+}
+
 /// Takes up what the settings say of controls. What is held down is let go: its control may do something else now.
 pub(super) fn follow(
     mut commands: Commands,
     settings: Res<Settings>,
     mut known: Local<BTreeMap<String, Vec<String>>>,
     mut bindings: ResMut<Bindings>,
-    mut maps: Query<(&mut InputMap<Action>, &mut ActionState<Action>)>,
+    mut map: ResMut<Map>,
+    mut actions: Single<&mut ActionState<Action>>,
 ) {
     if !settings.is_changed() || *known == settings.bindings {
         return;
     }
     known.clone_from(&settings.bindings);
     let (new, problems) = Bindings::of_settings(&settings.bindings);
-    for (mut map, mut state) in &mut maps {
-        *map = new.input_map();
-        state.reset_all();
-    }
+    map.0 = new.input_map();
+    actions.reset_all();
     *bindings = new;
     if !problems.is_empty() {
         let what = problems.join("; ");

@@ -163,10 +163,12 @@ impl Action {
 pub(super) fn plugin(app: &mut App) {
     app.add_plugins(InputManagerPlugin::<Action>::default())
         .init_resource::<Bindings>()
+        .init_resource::<bindings::Map>()
         .init_resource::<Latched>()
         .add_systems(Startup, |mut commands: Commands| {
-            commands.spawn((Name::new("Controls"), default_keys()));
+            commands.spawn((Name::new("Controls"), ActionState::<Action>::default()));
         })
+        .add_systems(PreUpdate, bindings::read.in_set(InputManagerSystem::Update))
         .add_systems(First, bindings::follow.after(MessageUpdateSystems))
         .add_systems(
             PreUpdate,
