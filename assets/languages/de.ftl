@@ -124,6 +124,7 @@ settings-controls = Tasten, Maus, Gamepad
 settings-language = Sprache
 language-system = Wie das System
 settings-scale = Schriftgröße
+settings-scale-less = Für größere ist in diesem Fenster kein Platz.
 settings-motion = Bewegung
 settings-reduced-motion = Weniger Bewegung
 settings-reduced-motion-hint = Die Kamera springt, statt zu gleiten; nichts wackelt, keine Zeitlupe zur Schau.
@@ -180,6 +181,9 @@ mouse-other = Taste { $name }
 mouse-wheel = Mausrad
 mouse-motion = Maus
 pad-button = Pad { $name }
+pad-cross = Kreuz { $way }
+pad-left-stick = Linker Stick { $way }
+pad-right-stick = Rechter Stick { $way }
 
 ## What controls do
 topic-aim = Zielen

@@ -124,6 +124,7 @@ settings-controls = Keys, mouse, gamepad
 settings-language = Language
 language-system = As the system
 settings-scale = Size of letters
+settings-scale-less = This window has no room for larger ones.
 settings-motion = Motion
 settings-reduced-motion = Less motion
 settings-reduced-motion-hint = The camera jumps instead of gliding; nothing shakes, no slow motion for show.
@@ -180,6 +181,9 @@ mouse-other = Button { $name }
 mouse-wheel = Wheel
 mouse-motion = Mouse
 pad-button = Pad { $name }
+pad-cross = D-pad { $way }
+pad-left-stick = Left stick { $way }
+pad-right-stick = Right stick { $way }
 
 ## What controls do
 topic-aim = Aim

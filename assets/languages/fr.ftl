@@ -124,6 +124,7 @@ settings-controls = Touches, souris, manette
 settings-language = Langue
 language-system = Celle du système
 settings-scale = Taille des lettres
+settings-scale-less = Cette fenêtre n’a pas de place pour de plus grandes.
 settings-motion = Mouvement
 settings-reduced-motion = Moins de mouvement
 settings-reduced-motion-hint = La caméra saute au lieu de glisser ; rien ne tremble, pas de ralenti.
@@ -180,6 +181,9 @@ mouse-other = Bouton { $name }
 mouse-wheel = Molette
 mouse-motion = Souris
 pad-button = Manette { $name }
+pad-cross = Croix { $way }
+pad-left-stick = Stick gauche { $way }
+pad-right-stick = Stick droit { $way }
 
 ## What controls do
 topic-aim = Viser

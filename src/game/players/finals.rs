@@ -44,7 +44,10 @@ impl Thinking {
                 continue;
             };
             count += 1;
-            let safe = matches!(plan.kind, Kind::Safety | Kind::Kick | Kind::PushOut);
+            let safe = matches!(
+                plan.kind,
+                Kind::Safety | Kind::Kick | Kind::Jump | Kind::Masse | Kind::PushOut
+            );
             worked += i32::from(if safe { outcome.clean } else { outcome.good });
             value += match &outcome.next {
                 Some((state, scene)) if outcome.good => {

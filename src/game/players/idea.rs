@@ -16,6 +16,10 @@ pub enum Kind {
     Combination,
     /// The cue ball off cushions to a hidden ball.
     Kick,
+    /// The cue ball over the balls that hide one.
+    Jump,
+    /// The cue ball around the balls that hide one.
+    Masse,
     /// The cue ball from ball to ball.
     Carom,
     /// Nothing is to fall; the other player is to be left nothing.
@@ -40,6 +44,13 @@ pub enum Line {
     },
     /// The cue points along this angle in rad.
     Along(f64),
+    /// The cue ball passes a ball along this angle or beyond it, and bends back.
+    Past {
+        /// Angle in plan of the way that grazes the ball, rad.
+        angle: f64,
+        /// 1 if the ball is passed where angles are larger, −1 on the other side.
+        side: f64,
+    },
 }
 
 /// One idea.

@@ -23,6 +23,8 @@ pub struct Skills {
     pub combinations: usize,
     /// Cushions of a kick at a hidden ball.
     pub kick_cushions: u32,
+    /// Whether the cue is raised to jump over, or bend around, what hides a ball.
+    pub raises: bool,
     /// Balls that are looked at for a safety.
     pub safeties: usize,
     /// Places that are compared with the cue ball in hand.
@@ -98,6 +100,7 @@ impl Level {
                 banks: 0,
                 combinations: 0,
                 kick_cushions: 1,
+                raises: false,
                 safeties: 0,
                 spots: 1,
                 finalists: 1,
@@ -121,6 +124,7 @@ impl Level {
                 banks: 1,
                 combinations: 0,
                 kick_cushions: 1,
+                raises: false,
                 safeties: 0,
                 spots: 2,
                 finalists: 2,
@@ -144,6 +148,7 @@ impl Level {
                 banks: 2,
                 combinations: 2,
                 kick_cushions: 1,
+                raises: false,
                 safeties: 2,
                 spots: 3,
                 finalists: 5,
@@ -167,6 +172,7 @@ impl Level {
                 banks: 3,
                 combinations: 3,
                 kick_cushions: 2,
+                raises: true,
                 safeties: 3,
                 spots: 4,
                 finalists: 8,
@@ -190,6 +196,7 @@ impl Level {
                 banks: 4,
                 combinations: 4,
                 kick_cushions: 2,
+                raises: true,
                 safeties: 4,
                 spots: 6,
                 finalists: 10,

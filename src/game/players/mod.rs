@@ -10,6 +10,7 @@ pub mod chance;
 pub mod choosing;
 pub mod contest;
 mod finals;
+mod hidden;
 pub mod idea;
 pub mod ideas;
 pub mod level;

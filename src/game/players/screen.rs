@@ -108,13 +108,19 @@ impl Thinking {
             (Kind::Break, Line::Along(angle)) => self.screen_break(idea, angle),
             (Kind::PushOut, Line::Along(angle)) => self.screen_push_out(idea, angle),
             (Kind::Carom, Line::Along(angle)) => self.screen_carom(idea, angle),
+            (Kind::Jump, Line::Along(angle)) => self.screen_jump(idea, angle, None),
+            (Kind::Jump, Line::Send(lane)) => {
+                let heading = aiming::ghost_heading(self.rehearsal.scene(), self.on.cue, &lane);
+                self.screen_jump(idea, -heading, Some(&lane));
+            }
+            (_, Line::Past { angle, side }) => self.screen_masse(idea, angle, side),
             (_, Line::Search { angle, spread }) => self.search(idea, angle, spread),
             (_, Line::Along(angle)) => self.screen_safety(idea, angle),
             (_, Line::Send(_)) => {}
         }
     }
 
-    fn note(&mut self, idea: &Idea, shot: Shot, value: f64, chance: f64) {
+    pub(super) fn note(&mut self, idea: &Idea, shot: Shot, value: f64, chance: f64) {
         self.plans.push(Plan {
             kind: idea.kind,
             spot: idea.spot,
@@ -125,7 +131,7 @@ impl Thinking {
         });
     }
 
-    fn raised(&self, shot: &Shot) -> Shot {
+    pub(super) fn raised(&self, shot: &Shot) -> Shot {
         aiming::raised(self.rehearsal.scene(), self.on.cue, shot)
     }
 

@@ -278,7 +278,11 @@ impl Thinking {
             }
             ideas.extend(view.combinations());
             ideas.extend(view.banks());
-            ideas.extend(view.hits(skills.safeties.max(1), skills.safeties > 0));
+            let hits = view.hits(skills.safeties.max(1), skills.safeties > 0);
+            if hits.is_empty() && skills.raises {
+                ideas.extend(view.raised());
+            }
+            ideas.extend(hits);
             if best < 0.3 {
                 ideas.extend(view.kicks(if skills.kick_cushions > 1 { 8 } else { 4 }));
             }

@@ -110,12 +110,8 @@ impl Control {
             }
             Self::Wheel => language.text("mouse-wheel").to_owned(),
             Self::Motion => language.text("mouse-motion").to_owned(),
-            Self::Pad(button) => language.with("pad-button", &[("name", pad_name(button).into())]),
-            Self::Stick(axis, way) => {
-                let sign = if way == Way::Less { "−" } else { "+" };
-                let name = format!("{} {sign}", spelled(&axis));
-                language.with("pad-button", &[("name", name.into())])
-            }
+            Self::Pad(button) => pad_name(button, language),
+            Self::Stick(axis, way) => stick_name(axis, way, language),
         }
     }
 }
@@ -129,8 +125,13 @@ fn read<T: DeserializeOwned>(name: &str) -> Option<T> {
     ron::from_str(name).ok()
 }
 
-fn pad_name(button: GamepadButton) -> String {
-    match button {
+fn pad_name(button: GamepadButton, language: &Language) -> String {
+    let along = |way: &str| language.with("pad-cross", &[("way", way.to_owned().into())]);
+    let name = match button {
+        GamepadButton::DPadLeft => return along("←"),
+        GamepadButton::DPadRight => return along("→"),
+        GamepadButton::DPadUp => return along("↑"),
+        GamepadButton::DPadDown => return along("↓"),
         GamepadButton::South => "A / ×".to_owned(),
         GamepadButton::East => "B / ○".to_owned(),
         GamepadButton::West => "X / □".to_owned(),
@@ -142,7 +143,25 @@ fn pad_name(button: GamepadButton) -> String {
         GamepadButton::LeftThumb => "L3".to_owned(),
         GamepadButton::RightThumb => "R3".to_owned(),
         other => spelled(&other),
-    }
+    };
+    language.with("pad-button", &[("name", name.into())])
+}
+
+fn stick_name(axis: GamepadAxis, way: Way, language: &Language) -> String {
+    let [left, right, down, up] = ["←", "→", "↓", "↑"];
+    let (key, [less, more]) = match axis {
+        GamepadAxis::LeftStickX => ("pad-left-stick", [left, right]),
+        GamepadAxis::LeftStickY => ("pad-left-stick", [down, up]),
+        GamepadAxis::RightStickX => ("pad-right-stick", [left, right]),
+        GamepadAxis::RightStickY => ("pad-right-stick", [down, up]),
+        other => {
+            let sign = if way == Way::Less { "−" } else { "+" };
+            let name = format!("{} {sign}", spelled(&other));
+            return language.with("pad-button", &[("name", name.into())]);
+        }
+    };
+    let way = if way == Way::Less { less } else { more };
+    language.with(key, &[("way", way.to_owned().into())])
 }
 
 fn key_name(key: KeyCode, language: &Language) -> String {

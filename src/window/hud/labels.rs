@@ -69,7 +69,8 @@ pub(super) fn show(
         ) else {
             continue;
         };
-        let size = (at.distance(edge) / zoom).clamp(7.0, 26.0);
+        // The colour of the ball stays to be seen around it where the ball is large enough.
+        let size = (0.5 * at.distance(edge) / zoom).clamp(5.0, 16.0);
         let half = egui::Rect::from_min_max(point(half.min), point(half.max));
         let painter = context.layer_painter(egui::LayerId::background());
         paint(&painter.with_clip_rect(half), point(at), size, &label);
@@ -81,7 +82,6 @@ pub(super) fn show(
 fn paint(painter: &egui::Painter, at: egui::Pos2, half: f32, label: &Label) {
     use egui::{Align2, Color32, CornerRadius, FontId, Rect, Stroke, StrokeKind, vec2};
     let line = Stroke::new(1.5, Color32::BLACK);
-    let half = 0.72 * half;
     if label.is_stripe {
         let frame = Rect::from_center_size(at, vec2(2.3 * half, 2.0 * half));
         painter.rect(

@@ -51,7 +51,10 @@ pub(super) fn plugin(app: &mut App) {
         );
 }
 
-/// Letters and panels as large as the player wants them, and as still.
+/// Letters grow beyond their usual size only as long as the window holds so much beside them, in points.
+const LEAST_WINDOW: egui::Vec2 = egui::vec2(480.0, 300.0);
+
+/// Letters and panels as large as the player wants them and the window can hold, and as still.
 fn suit(
     mut contexts: EguiContexts,
     settings: Res<Settings>,
@@ -63,7 +66,8 @@ fn suit(
     if !std::mem::replace(&mut *has_letters, true) {
         context.set_fonts(letters::fonts());
     }
-    context.set_zoom_factor(scale);
+    let window = context.viewport_rect().size() * context.zoom_factor() / LEAST_WINDOW;
+    context.set_zoom_factor(scale.min(window.min_elem().max(1.0)));
     let fading = if settings.reduced_motion {
         0.0
     } else {

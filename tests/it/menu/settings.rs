@@ -3,13 +3,14 @@
 use bevy::input::ButtonState;
 use bevy::prelude::*;
 use bevy_egui::input::EguiWantsInput;
+use bevy_egui::{EguiContext, egui};
 use masse::game::settings::Settings;
 use masse::game::view::View;
 use masse::window::action::{Action, Bindings, Control};
 use masse::window::language::Language;
 use masse::window::page::{Open, PageId, Screen};
 
-use super::{app, choose, is_pressed, key, page, press, screen, step};
+use super::{app, choose, for_input, is_pressed, key, page, press, screen, step};
 
 fn open(app: &mut App, id: &'static str) {
     app.world_mut().resource_mut::<Open>().go(PageId(id));
@@ -36,6 +37,23 @@ fn a_language_is_spoken_at_once_and_scale_and_switches_are_set_with_keys() {
     choose(&mut app, "Einstellungen");
     choose(&mut app, "Alles wie am Anfang");
     assert_eq!(*app.world().resource::<Settings>(), Settings::default());
+}
+
+#[test]
+fn letters_stay_so_small_that_the_window_can_be_used() {
+    let mut app = app();
+    app.world_mut().resource_mut::<Settings>().scale = 3.0;
+    for _ in 0..4 {
+        for_input(&mut app, |input| {
+            let small = egui::vec2(320.0, 240.0);
+            input.screen_rect = Some(egui::Rect::from_min_size(egui::Pos2::ZERO, small));
+        });
+        app.update();
+    }
+    let mut contexts = app.world_mut().query::<&mut EguiContext>();
+    let mut context = contexts.single_mut(app.world_mut()).expect("one screen");
+    assert_eq!(context.get_mut().zoom_factor(), 1.0);
+    assert_eq!(app.world().resource::<Settings>().scale, 3.0);
 }
 
 #[test]

@@ -314,3 +314,46 @@ fn who_is_pressed_for_time_still_has_a_plan_and_rehearses_less() {
     }
     assert!(4 * rehearsed.1 < 3 * rehearsed.0, "{rehearsed:?}");
 }
+
+/// Who may neither kick nor push out raises the cue.
+fn raiser() -> Level {
+    let mut level = TOP;
+    level.skills.kick_cushions = 0;
+    level
+}
+
+#[test]
+fn who_is_hidden_behind_a_ball_jumps_over_it_or_bends_around() {
+    // A wall to jump over; and a ball too near to be jumped over, that a massé goes around.
+    let wall = [(9, 0.0, -0.058), (10, 0.0, 0.0), (11, 0.0, 0.058)];
+    let over = [(0, -0.3, 0.0), (3, 0.6, 0.02), (8, -1.0, 0.4)];
+    let over: Vec<_> = over.into_iter().chain(wall).collect();
+    let around = [
+        (0, -0.2, 0.0),
+        (9, -0.13, 0.0),
+        (3, 0.35, 0.0),
+        (8, -1.0, 0.4),
+    ];
+    for (balls, kind) in [(&over[..], Kind::Jump), (&around[..], Kind::Masse)] {
+        let (state, scene) = eight_ball(balls);
+        let (plan, _) = think(&state, &scene, &raiser());
+        assert_eq!(plan.kind, kind, "{plan:?}");
+        assert!(plan.shot.elevation > 0.3 && plan.chance > 0.5, "{plan:?}");
+        let verdict = play(&state, &scene, &plan, plan.shot);
+        assert!(!verdict.is_foul(), "{:?}", verdict.fouls);
+    }
+}
+
+#[test]
+fn a_jump_pots_a_hidden_ball() {
+    let (state, scene) = eight_ball(&[
+        (0, 0.2, 0.0),
+        (9, 0.45, 0.12),
+        (3, 0.9, 0.35),
+        (8, -1.0, 0.4),
+    ]);
+    let (plan, _) = think(&state, &scene, &raiser());
+    assert_eq!(plan.kind, Kind::Jump, "{plan:?}");
+    let verdict = play(&state, &scene, &plan, plan.shot);
+    assert_eq!(names(&scene, &verdict.made), ["3"]);
+}

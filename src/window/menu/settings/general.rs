@@ -37,6 +37,9 @@ fn show(InMut(ui): InMut<egui::Ui>, language: Res<Language>, mut settings: ResMu
     );
     let scales = SCALES.map(|scale| (scale, format!("{:.0} %", 100.0 * scale)));
     rows::choice(ui, language.text("settings-scale"), &mut wish.scale, scales);
+    if ui.ctx().zoom_factor() < settings.scale {
+        ui.label(language.text("settings-scale-less"));
+    }
     rows::heading(ui, language.text("settings-motion"));
     rows::switch(
         ui,
