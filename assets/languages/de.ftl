@@ -11,7 +11,7 @@ help-title = Bedienung
 load = Laden
 
 ## New game
-new-game-title = Neues Spiel
+new-game-title = Training und Szenen
 new-game-practice = Training
 new-game-scenes = Szenen und Trickstöße
 new-game-crowds = Scharen

@@ -11,7 +11,7 @@ help-title = Controls
 load = Load
 
 ## New game
-new-game-title = New game
+new-game-title = Practice and scenes
 new-game-practice = Practice
 new-game-scenes = Scenes and trick shots
 new-game-crowds = Crowds

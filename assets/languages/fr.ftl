@@ -11,7 +11,7 @@ help-title = Commandes
 load = Charger
 
 ## New game
-new-game-title = Nouvelle partie
+new-game-title = Entraînement et scènes
 new-game-practice = Entraînement
 new-game-scenes = Scènes et coups fantaisie
 new-game-crowds = Foules

@@ -59,7 +59,9 @@ pub(super) struct FilmOptions {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Work {
     Low,
+    Medium,
     High,
+    Ultra,
 }
 
 fn size(text: &str) -> Result<(u32, u32), String> {
@@ -161,8 +163,8 @@ pub(super) fn run(options: &FilmOptions) -> Result<ExitCode, CommandError> {
     }
     folder(&options.out)?;
     let count = drawing::draw(options, &scenario, &record, cameras)?;
-    let folder = options.out.display();
-    say(&format!("masse: {count} frames in {folder}"));
+    let (folder, plural) = (options.out.display(), if count == 1 { "" } else { "s" });
+    say(&format!("masse: {count} frame{plural} in {folder}"));
     Ok(ExitCode::SUCCESS)
 }
 
@@ -238,7 +240,9 @@ mod drawing {
             quality: match options.quality {
                 None => Quality::Automatic,
                 Some(Work::Low) => Quality::Low,
+                Some(Work::Medium) => Quality::Medium,
                 Some(Work::High) => Quality::High,
+                Some(Work::Ultra) => Quality::Ultra,
             },
         };
         let bar = ProgressBar::new(0);

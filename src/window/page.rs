@@ -8,7 +8,7 @@
 //! fn show(InMut(ui): InMut<egui::Ui>, language: Res<Language>, mut open: ResMut<Open>) { ... }
 //! ```
 //!
-//! A game to begin is [`AddPages::add_mode`]: the page "New game" lists it.
+//! A game to begin is [`AddPages::add_mode`]: the page "Practice and scenes" lists it.
 
 use bevy::ecs::system::SystemId;
 use bevy::prelude::*;

@@ -42,6 +42,8 @@ mod scenarios;
 mod scene_files;
 mod schedules;
 mod settings;
+#[cfg(feature = "window")]
+mod slow_motion;
 mod speed_report;
 mod studio;
 mod turns;

@@ -15,6 +15,7 @@ use bevy::ecs::message::MessageUpdateSystems;
 use bevy::prelude::*;
 use leafwing_input_manager::plugin::InputManagerSystem;
 use leafwing_input_manager::prelude::*;
+use leafwing_input_manager::systems::update_action_state;
 
 /// One thing a player can do. [`CONTROLS`] says how; the help says what for.
 #[derive(Actionlike, Clone, Copy, Debug, PartialEq, Eq, Hash, Reflect)]
@@ -168,7 +169,12 @@ pub(super) fn plugin(app: &mut App) {
         .add_systems(Startup, |mut commands: Commands| {
             commands.spawn((Name::new("Controls"), ActionState::<Action>::default()));
         })
-        .add_systems(PreUpdate, bindings::read.in_set(InputManagerSystem::Update))
+        .add_systems(
+            PreUpdate,
+            bindings::read
+                .in_set(InputManagerSystem::Update)
+                .after(update_action_state::<Action>),
+        )
         .add_systems(First, bindings::follow.after(MessageUpdateSystems))
         .add_systems(
             PreUpdate,

@@ -40,7 +40,7 @@ fn with_keys_alone_a_new_game_is_begun_and_the_menu_left() {
     );
     assert!(app.world().resource::<Time<Virtual>>().is_paused());
 
-    choose(&mut app, "New game");
+    choose(&mut app, "Practice and scenes");
     assert_eq!(page(&app), Some(PageId::NEW_GAME));
     choose(&mut app, "Rack 9-ball");
     assert_eq!((screen(&app), page(&app)), (Screen::Table, None));
@@ -49,7 +49,7 @@ fn with_keys_alone_a_new_game_is_begun_and_the_menu_left() {
     assert_eq!(app.world().resource::<Practice>().rack, Rack::NineBall);
 
     press(&mut app, KeyCode::Escape);
-    choose(&mut app, "New game");
+    choose(&mut app, "Practice and scenes");
     choose(&mut app, "Stop shot");
     until(&mut app, |app| balls(app) == 2);
     assert!(
