@@ -8,6 +8,7 @@ use glam::{DVec2, DVec3};
 use crate::physics::ball::{Ball, Motion, State};
 use crate::physics::contact::Track;
 use crate::physics::laws::motion::{MotionLaw, Piece};
+use crate::sim::stepped::crowd::census::Sums;
 
 /// A ball on a closed-form piece of path. All balls of a crowd are equal, so their constants are kept once. Times are
 /// seconds on the clock of the crowd.
@@ -37,6 +38,12 @@ pub(super) trait Body: Copy + Send + Sync + 'static {
 
     /// The whole state.
     fn state(&self, ball: &Ball, at: f64) -> State;
+
+    /// Counts the ball among those that are summed up.
+    #[inline]
+    fn count(&self, law: &MotionLaw, ball: &Ball, at: f64, sums: &mut Sums) {
+        sums.count(law, ball, &self.state(ball, at));
+    }
 
     /// The state in which the piece ends.
     fn end(&self, ball: &Ball) -> State;
@@ -127,6 +134,11 @@ impl Body for Gliding {
                 Motion::Rest
             },
         }
+    }
+
+    #[inline]
+    fn count(&self, _: &MotionLaw, ball: &Ball, _: f64, sums: &mut Sums) {
+        sums.count_gliding(ball, self.velocity);
     }
 
     #[inline]

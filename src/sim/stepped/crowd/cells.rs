@@ -30,13 +30,6 @@ impl Record {
             ball,
         }
     }
-
-    /// The middle of the path, m.
-    #[inline]
-    pub fn middle(&self) -> DVec2 {
-        let [x, z, ..] = self.numbers;
-        DVec2::new(f64::from(x), f64::from(z))
-    }
 }
 
 /// Records sorted by cell, and in a row of cells by `x`.
@@ -82,15 +75,14 @@ impl Sorted {
     /// Takes what the records tell into lists, and lists those that are marked.
     pub fn list(&mut self, marked: &mut Vec<u32>) {
         self.lanes.fill(&self.records);
-        self.balls.clear();
+        self.balls.resize(self.records.len(), 0);
         marked.clear();
-        self.balls
-            .extend((0..).zip(&self.records).map(|(at, record)| {
-                if record.ball & MARKED != 0 {
-                    marked.push(at);
-                }
-                record.ball & !MARKED
-            }));
+        for (at, (ball, record)) in (0..).zip(self.balls.iter_mut().zip(&self.records)) {
+            *ball = record.ball & !MARKED;
+            if record.ball & MARKED != 0 {
+                marked.push(at);
+            }
+        }
     }
 
     /// Places of a row of so many cells.
@@ -102,25 +94,23 @@ impl Sorted {
         [self.first[row * columns], self.first[(row + 1) * columns]]
     }
 
+    /// The first place in each cell of a row of so many cells.
+    #[inline]
+    pub fn first_of(&self, row: usize, columns: usize) -> &[u32] {
+        &self.first[row * columns..(row + 1) * columns]
+    }
+
     /// The places of some columns of some rows of so many cells.
     #[inline]
     pub fn ranges(
         &self,
         rows: Range<usize>,
         count: usize,
-        columns: &Range<usize>,
+        columns: Range<usize>,
     ) -> impl Iterator<Item = [u32; 2]> {
         let (begin, end) = (columns.start, columns.end);
         let first = &self.first[..];
         rows.map(move |row| [first[row * count + begin], first[row * count + end]])
-    }
-
-    /// The first place of a row not before the cell at `x`.
-    #[inline]
-    pub fn start(&self, row: usize, cells: &Cells, x: f32) -> u32 {
-        let column = ((x - cells.least.x as f32) * cells.per_cell.x as f32) as i32;
-        let column = (column.max(0) as usize).min(cells.columns - 1);
-        self.first[row * cells.columns + column]
     }
 
     /// Takes a ball away: nothing is near it any more.

@@ -3,6 +3,7 @@
 use std::time::{Duration, Instant};
 
 use bevy::prelude::*;
+use glam::DVec2;
 
 use crate::physics::ball::{Ball, State};
 use crate::physics::laws::motion::MotionLaw;
@@ -134,6 +135,21 @@ impl Sums {
         self.momentum[1] += ball.mass * v.z;
         self.speed = self.speed.max(v.length_squared());
         self.moves |= !state.motion.is_still();
+    }
+
+    /// Counts a ball without spin of which only the velocity in plan is known.
+    #[inline]
+    pub fn count_gliding(&mut self, ball: &Ball, velocity: DVec2) {
+        let square = velocity.length_squared();
+        self.energy += 0.5 * ball.mass * square;
+        self.momentum[0] += ball.mass * velocity.x;
+        self.momentum[1] += ball.mass * velocity.y;
+        self.speed = if square > self.speed {
+            square
+        } else {
+            self.speed
+        };
+        self.moves |= square > 0.0;
     }
 
     pub fn add(&mut self, other: &Self) {

@@ -114,17 +114,13 @@ impl<B: Body> Field<B> {
         let mut sums = vec![Sums::default(); self.moving.div_ceil(BLOCK) + 1];
         let woken = |sums: &mut Sums| {
             for slot in &self.woken {
-                sums.count(
-                    law,
-                    ball,
-                    &self.bodies[*slot as usize].state(ball, self.now),
-                );
+                self.bodies[*slot as usize].count(law, ball, self.now, sums);
             }
         };
         let blocks = self.bodies[..self.moving].chunks(BLOCK).zip(&mut sums[1..]);
         share(threads, blocks, |(bodies, sums)| {
             for body in bodies {
-                sums.count(law, ball, &body.state(ball, self.now));
+                body.count(law, ball, self.now, sums);
             }
         });
         woken(&mut sums[0]);
@@ -287,8 +283,8 @@ impl<B: Body> Field<B> {
         );
         for stripe in &mut self.stripes {
             for id in std::mem::take(&mut stripe.foreign) {
-                let ball = stripe.turned[id as usize];
-                self.bodies[ball.slot as usize] = ball.leg.body;
+                let (ball, body) = stripe.turned.at(id as usize);
+                self.bodies[ball.slot as usize] = body;
                 if ball.place & place::STILL != 0 {
                     stripe.still.clear(place::index(ball.place));
                     self.woken.push(ball.slot);

@@ -4,62 +4,85 @@
     reason = "the innermost loops of a tick: a call would cost as much as the work"
 )]
 
-use glam::DVec2;
+use std::ops::Range;
 
 use crate::sim::stepped::crowd::body::Body;
-use crate::sim::stepped::crowd::cells::Sorted;
 use crate::sim::stepped::crowd::rows::Sought;
 use crate::sim::stepped::crowd::search::Solver;
-use crate::sim::stepped::crowd::stripe::place;
+use crate::sim::stepped::crowd::stripe::{Stripe, place};
 
-/// A ball that has just been put on a path.
+/// A ball that has just been put on a path. In f32: it only tells what it certainly does not meet.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Turn {
     pub ball: u32,
-    /// When the path began.
-    pub from: f64,
+    /// Which part of the tick was over when the path began.
+    pub after: f32,
     /// The corners of the rectangle that the centre stays in from then on, m.
-    pub bounds: [DVec2; 2],
+    pub bounds: [f32; 4],
     /// The path as others that look for it will see it.
     pub path: [f32; 4],
 }
 
+/// Rows that nearly all that a ball may meet lies in.
+const FEW: usize = 4;
+
 impl<B: Body, const WIDE: bool> Solver<'_, B, WIDE> {
-    /// Lists the places of the balls that balls on new paths may meet, each with the index of the path; false if more may
-    /// lie beyond these stripes.
+    /// Lists the places of the balls that a ball on a new path may meet; false if more may lie beyond these stripes.
     #[inline(always)]
-    fn list_near<const N: usize>(&self, turns: &[Turn; N], list: &mut Vec<(usize, u32)>) -> bool {
-        let (cells, start) = (&self.stretch.cells, self.stretch.start);
-        let [mut least, mut most] = turns[0].bounds;
-        for Turn { bounds, .. } in &turns[1..] {
-            (least, most) = (least.min(bounds[0]), most.max(bounds[1]));
+    fn list_near(&self, turn: &Turn, list: &mut Vec<[u32; 2]>) -> bool {
+        let (corners, last) = self.frame.around(turn.bounds, self.near.wide, self.wander);
+        let [left, top, right, bottom] = corners;
+        let sought = Sought::new(turn.path, turn.after, self.near.wide, last);
+        let Stripe {
+            moving,
+            still,
+            rows,
+            ..
+        } = &self.stripes[0];
+        let is_here = rows.start <= top && top + FEW <= rows.end && bottom < top + FEW;
+        if WIDE || !is_here || !still.records.is_empty() {
+            return self.list_all(turn.ball, [top, bottom], left..right + 1, &sought, list);
         }
-        let reach = f64::from(self.near.wide) + self.wander.max(self.fastest);
-        let (least, most) = (least - reach, most + reach);
-        let ([left, top], [right, bottom]) = (cells.at(least), cells.at(most));
-        let sought = Sought::new(
-            turns.each_ref().map(|turn| turn.path),
-            ((turns[0].from - start) * self.per_second) as f32,
-            self.near.wide,
-            most.x as f32,
-        );
+        let columns = self.stretch.cells.columns;
+        let first = &moving.first[(top - rows.start) * columns..];
+        let row = |k| [first[k * columns + left], first[k * columns + right + 1]];
+        let mine = place::of(self.base, 0);
+        let take = |k| list.push([turn.ball, mine | k]);
+        // Most that a ball may meet lies in three rows.
+        if bottom + 1 < top + FEW {
+            moving
+                .lanes
+                .meet_few(&[row(0), row(1), row(2)], &sought, take);
+        } else {
+            let ranges = [row(0), row(1), row(2), row(3)];
+            moving.lanes.meet_few(&ranges, &sought, take);
+        }
+        true
+    }
+
+    /// The same for any rows of all these stripes, and balls at rest.
+    #[inline(never)]
+    fn list_all(
+        &self,
+        ball: u32,
+        [top, bottom]: [usize; 2],
+        columns: Range<usize>,
+        sought: &Sought,
+        list: &mut Vec<[u32; 2]>,
+    ) -> bool {
         let mut inside = true;
         for stripe in self.stripes.iter() {
             let (begin, end) = (stripe.rows.start, stripe.rows.end);
-            if !WIDE {
-                inside = begin <= top && bottom < end;
-            }
+            inside = WIDE || begin <= top && bottom < end;
             let rows = top.max(begin) - begin..(bottom + 1).min(end).max(begin) - begin;
-            let columns = left..right + 1;
             let mine = place::of(stripe.index, 0);
-            let mut list = |sorted: &Sorted, mark: u32| {
-                let ranges = sorted.ranges(rows.clone(), cells.columns, &columns);
-                let take = |path, k| list.push((path, mine | mark | k));
-                sorted.lanes.meet(ranges, &sought, take);
-            };
-            list(&stripe.moving, 0);
-            if !stripe.still.records.is_empty() {
-                list(&stripe.still, place::STILL);
+            for (sorted, mark) in [(&stripe.moving, 0), (&stripe.still, place::STILL)] {
+                if !sorted.records.is_empty() {
+                    let ranges =
+                        sorted.ranges(rows.clone(), self.stretch.cells.columns, columns.clone());
+                    let take = |k| list.push([ball, mine | mark | k]);
+                    sorted.lanes.meet(ranges, sought, take);
+                }
             }
         }
         inside
@@ -67,17 +90,15 @@ impl<B: Body, const WIDE: bool> Solver<'_, B, WIDE> {
 
     /// Looks for what balls on new paths, which begin at the same time, meet until the end.
     pub fn look<const N: usize>(&mut self, turns: &[Turn; N]) {
-        for turn in turns {
-            self.alone(turn.ball, turn.bounds);
-        }
         let mut list = std::mem::take(&mut self.list);
         list.clear();
-        if !self.list_near(turns, &mut list) {
-            let balls = turns.iter().map(|turn| turn.ball);
-            self.stripes[0].wide.extend(balls);
+        for turn in turns {
+            self.alone(turn.ball, turn.bounds);
+            if !self.list_near(turn, &mut list) {
+                self.stripes[0].wide.push(turn.ball);
+            }
         }
-        for &(path, other) in &list {
-            let ball = turns[path].ball;
+        for &[ball, other] in &list {
             if other != ball {
                 self.begin(ball, other);
             }
@@ -98,12 +119,6 @@ impl<B: Body, const WIDE: bool> Solver<'_, B, WIDE> {
     /// What is needed to look for what a ball meets from its last turn on.
     pub fn turn_of(&self, ball: u32) -> Turn {
         let seen = self.seen(ball);
-        let lanes = &self.stripe(ball).sorted(ball).lanes;
-        Turn {
-            ball,
-            from: seen.from,
-            bounds: self.stretch.bounds(seen.body, seen.from),
-            path: lanes.path(place::index(ball)),
-        }
+        self.stretch.turn(ball, seen.body, seen.from)
     }
 }

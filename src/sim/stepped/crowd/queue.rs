@@ -31,12 +31,12 @@ impl<B: Body, const WIDE: bool> Solver<'_, B, WIDE> {
         };
         while let Some(contact) = self.queue.pop() {
             let (ball, other) = (contact.ball, contact.other());
-            if self.seen(ball).turns != contact.turns[0] {
+            if self.turns(ball) != contact.turns[0] {
                 continue;
             }
             let mut holds = self.is_held(ball) || !is_ready(ball);
             if other != NONE {
-                if self.seen(other).turns != contact.turns[1] {
+                if self.turns(other) != contact.turns[1] {
                     continue;
                 }
                 holds |= self.is_held(other) || !is_ready(other);

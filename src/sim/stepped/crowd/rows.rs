@@ -6,10 +6,13 @@
 
 use wide::f32x4;
 
-use crate::sim::stepped::crowd::cells::Record;
+use crate::sim::stepped::crowd::cells::{Cells, Record};
 
 /// Balls compared at a time.
 const LANES: usize = 4;
+
+/// The numbers from here on are whole: their last bits tell how far they are from here.
+const WHOLE: f32 = 8_388_608.0;
 
 /// Where balls begin the tick and how far they get in it, each number in a list of its own, so that several balls are
 /// compared at once. In f32: it only tells which pairs certainly do not meet. A ball that was turned has the place at which
@@ -73,7 +76,8 @@ impl View<'_> {
 
     #[inline(always)]
     fn path(&self, at: usize) -> [f32x4; 4] {
-        [self.x, self.z, self.dx, self.dz].map(|list| f32x4::splat(list[at]))
+        let splat = |list: &[f32]| f32x4::splat(list[at]);
+        [splat(self.x), splat(self.z), splat(self.dx), splat(self.dz)]
     }
 }
 
@@ -107,21 +111,95 @@ pub(super) struct Near {
     pub edge: f32,
 }
 
-/// What is looked for: balls that meet one on any of these paths after this part of the tick, their middles not beyond
-/// `last` along `x`.
+/// The cells in f32. Cells at the edge reach to infinity.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Sought<const N: usize> {
-    paths: [[f32x4; 4]; N],
+pub(super) struct Frame {
+    least: f32x4,
+    per_cell: f32x4,
+    last: f32x4,
+}
+
+impl Frame {
+    pub fn new(cells: &Cells) -> Self {
+        let twice = |x: f64, z: f64| f32x4::new([x, z, x, z].map(|number| number as f32));
+        Self {
+            least: twice(cells.least.x, cells.least.y),
+            per_cell: twice(cells.per_cell.x, cells.per_cell.y),
+            last: twice((cells.columns - 1) as f64, (cells.rows - 1) as f64),
+        }
+    }
+
+    /// Column and row of the corners of a rectangle that is this much larger on all sides and by what others [`Wander`],
+    /// and where it ends along `x`.
+    #[inline(always)]
+    pub fn around(&self, corners: [f32; 4], wider: f32, wander: Wander) -> ([usize; 4], f32) {
+        let away = f32x4::new([-wider, -wider, wider, wider]);
+        let corners = f32x4::new(corners) + away + wander.0;
+        // To the nearest, as everywhere.
+        let at = (corners - self.least) * self.per_cell - f32x4::splat(0.5);
+        let at = at.fast_max(f32x4::splat(0.0)).fast_min(self.last) + f32x4::splat(WHOLE);
+        let [left, top, right, bottom] = at.to_array();
+        let index = |number: f32| (number.to_bits() - WHOLE.to_bits()) as usize;
+        let cells = [index(left), index(top), index(right), index(bottom)];
+        let [_, _, last, _] = corners.to_array();
+        (cells, last)
+    }
+
+    /// The column of a place along `x`.
+    #[inline(always)]
+    pub fn column(&self, x: f32) -> usize {
+        let [least, ..] = self.least.to_array();
+        let ([per_cell, ..], [last, ..]) = (self.per_cell.to_array(), self.last.to_array());
+        let at = (x - least) * per_cell - 0.5;
+        let at = if at > 0.0 { at } else { 0.0 };
+        let at = if at < last { at } else { last };
+        ((at + WHOLE).to_bits() - WHOLE.to_bits()) as usize
+    }
+}
+
+/// How far balls get from the middle of the path they began the tick on, m: how far what is looked for may lie beyond the
+/// left, the top, the right and the bottom of where they can be. To the left and to the top it is below zero.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Wander(f32x4);
+
+impl Wander {
+    /// So far in all directions.
+    pub fn new(far: f32) -> Self {
+        Self(f32x4::new([-far, -far, far, far]))
+    }
+
+    /// Has it include a ball that stays between corners.
+    #[inline(always)]
+    pub fn include(&mut self, [x, z]: [f32; 2], [left, top, right, bottom]: [f32; 4]) {
+        let least = self
+            .0
+            .fast_min(f32x4::new([x - right, z - bottom, f32::MAX, f32::MAX]));
+        self.0 = least.fast_max(f32x4::new([f32::MIN, f32::MIN, x - left, z - top]));
+    }
+
+    /// Has it include all that another includes.
+    pub fn add(&mut self, other: Self) {
+        let [left, top, right, bottom] = other.0.to_array();
+        self.include([0.0; 2], [-right, -bottom, -left, -top]);
+    }
+}
+
+/// What is looked for: balls that meet one on this path after this part of the tick, their middles not beyond `last` along
+/// `x`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sought {
+    path: [f32x4; 4],
     part: Part,
     last: f32,
 }
 
-impl<const N: usize> Sought<N> {
+impl Sought {
     /// Balls that come as near as `wide` to a path.
     #[inline(always)]
-    pub fn new(paths: [[f32; 4]; N], after: f32, wide: f32, last: f32) -> Self {
+    pub fn new([x, z, dx, dz]: [f32; 4], after: f32, wide: f32, last: f32) -> Self {
+        let splat = f32x4::splat;
         Self {
-            paths: paths.map(|path| path.map(f32x4::splat)),
+            path: [splat(x), splat(z), splat(dx), splat(dz)],
             part: Part::new(after, wide),
             last,
         }
@@ -183,25 +261,21 @@ impl Lanes {
     }
 
     /// Takes, out of ranges of rows, every ball that may meet what is looked for, and perhaps some that do not or lie
-    /// behind a range, with the index of the path.
+    /// behind a range.
     #[inline(always)]
-    pub fn meet<const N: usize>(
+    pub fn meet(
         &self,
         ranges: impl Iterator<Item = [u32; 2]>,
-        sought: &Sought<N>,
-        mut take: impl FnMut(usize, u32),
+        sought: &Sought,
+        mut take: impl FnMut(u32),
     ) {
         let view = self.view();
         for [from, to] in ranges {
             let (mut at, to) = (from as usize, to as usize);
             while at < to {
-                let mut bits = 0;
-                for (k, path) in sought.paths.iter().enumerate() {
-                    bits |= view.meet::<true>(at, path, &sought.part) << (k * LANES);
-                }
+                let mut bits = view.meet::<true>(at, &sought.path, &sought.part);
                 while bits != 0 {
-                    let bit = bits.trailing_zeros() as usize;
-                    take(bit / LANES, (at + bit % LANES) as u32);
+                    take(at as u32 + bits.trailing_zeros());
                     bits &= bits - 1;
                 }
                 at += LANES;
@@ -209,6 +283,35 @@ impl Lanes {
                     break;
                 }
             }
+        }
+    }
+
+    /// The same for some rows at once. Nearly always the first few of each are all, so that nothing has to be guessed.
+    #[inline(always)]
+    pub fn meet_few<const FEW: usize>(
+        &self,
+        ranges: &[[u32; 2]; FEW],
+        sought: &Sought,
+        mut take: impl FnMut(u32),
+    ) {
+        let view = self.view();
+        let (mut bits, mut more) = (0_u32, 0_u32);
+        for (k, [from, to]) in ranges.iter().enumerate() {
+            let end = *from as usize + LANES;
+            let found = view.meet::<true>(*from as usize, &sought.path, &sought.part);
+            bits |= found << (k * LANES);
+            let goes_on = (end < *to as usize) & (view.middle[end - 1] <= sought.last);
+            more |= u32::from(goes_on) << k;
+        }
+        while bits != 0 {
+            let bit = bits.trailing_zeros() as usize;
+            take(ranges[bit / LANES][0] + (bit % LANES) as u32);
+            bits &= bits - 1;
+        }
+        if more != 0 {
+            let rest = (0..FEW).filter(|k| more >> k & 1 != 0);
+            let rest = rest.map(|k| [ranges[k][0] + LANES as u32, ranges[k][1]]);
+            self.meet(rest, sought, take);
         }
     }
 
@@ -244,23 +347,27 @@ impl Lanes {
                 take(i, lane + if bit == lane { i + 1 } else { first });
                 bits &= bits - 1;
             }
-            let mut rest = |view: &View, begin: u32, end: u32| {
-                let mut at = begin as usize + LANES;
-                while view.goes_on(at, end, last) {
-                    let mut bits = view.meet::<false>(at, &path, &part);
-                    while bits != 0 {
-                        take(i, at as u32 + bits.trailing_zeros());
-                        bits &= bits - 1;
-                    }
-                    at += LANES;
-                }
-            };
+            let few = LANES as u32;
             if OWN && view.goes_on(at + 1 + LANES, to, last) {
-                rest(&view, i + 1, to);
+                self.rest(i, (self, [i + 1 + few, to]), last, near, &mut take);
             }
             if others.goes_on(first as usize + LANES, end, last) {
-                rest(&others, first, end);
+                self.rest(i, (other, [first + few, end]), last, near, &mut take);
             }
         }
+    }
+
+    /// Takes the pairs of a ball with a range of a row.
+    #[inline(never)]
+    fn rest(
+        &self,
+        i: u32,
+        (other, range): (&Self, [u32; 2]),
+        last: f32,
+        near: Near,
+        take: &mut impl FnMut(u32, u32),
+    ) {
+        let sought = Sought::new(self.path(i as usize), 0.0, near.wide, last);
+        other.meet(std::iter::once(range), &sought, |k| take(i, k));
     }
 }

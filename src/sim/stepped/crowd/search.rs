@@ -14,10 +14,10 @@ use crate::physics::table::Cushion;
 use crate::sim::stepped::crowd::body::{Body, track};
 use crate::sim::stepped::crowd::calendar::Calendar;
 use crate::sim::stepped::crowd::census::Tally;
-use crate::sim::stepped::crowd::rows::Near;
+use crate::sim::stepped::crowd::rows::{Frame, Near, Wander};
 use crate::sim::stepped::crowd::stretch::Stretch;
 use crate::sim::stepped::crowd::stripe::{Stripe, place};
-use crate::sim::stepped::crowd::turned::{Contact, Kind, Leg, Seen, turned};
+use crate::sim::stepped::crowd::turned::{Contact, Kind, Leg, Seen};
 use crate::sim::stepped::resolve::IMPACTS;
 
 /// What is added to distances before they are compared, for rounding; a share.
@@ -27,7 +27,7 @@ pub(super) const MARGIN: f64 = 1e-9;
 #[derive(Debug, Default)]
 pub(super) struct Scratch {
     pub close: Vec<[u32; 2]>,
-    list: Vec<(usize, u32)>,
+    list: Vec<[u32; 2]>,
     queue: Calendar,
     held: Vec<Contact>,
 }
@@ -42,16 +42,14 @@ pub(super) struct Solver<'a, B, const WIDE: bool> {
     pub all: usize,
     pub bodies: &'a [B],
     pub numbers: &'a [u32],
-    /// How far fast balls get, m.
-    pub fastest: f64,
-    pub wander: f64,
+    /// How far balls get from the middle of the path they began on, along x or z, m.
+    pub wander: Wander,
     /// What is near balls that are looked at.
-    pub list: Vec<(usize, u32)>,
+    pub list: Vec<[u32; 2]>,
     pub near: Near,
     /// Half the sides of the rectangle in which a ball touches no cushion, m.
-    pub clear: DVec2,
-    /// Ticks a second.
-    pub per_second: f64,
+    pub free: [f32; 2],
+    pub frame: Frame,
     /// Contacts that wait for their turn, and those that wait for something beyond what is known.
     pub queue: Calendar,
     pub held: Vec<Contact>,
@@ -69,20 +67,21 @@ impl<'a, B: Body, const WIDE: bool> Solver<'a, B, WIDE> {
         scratch: &mut Scratch,
     ) -> Self {
         scratch.queue.open(stretch.start, stretch.end);
-        let wander = stripes.iter().map(|stripe| stripe.wander);
-        let wander = wander.fold(stretch.cut, f64::max);
+        let mut wander = Wander::new(stretch.cut.max(fastest) as f32);
+        for stripe in stripes.iter() {
+            wander.add(stripe.wander);
+        }
         Self {
             stretch,
             base,
             all,
             bodies,
             numbers,
-            fastest,
             wander,
             list: std::mem::take(&mut scratch.list),
             near: stretch.near(),
-            clear: stretch.clear(0.0),
-            per_second: 1.0 / (stretch.end - stretch.start),
+            free: stretch.free(),
+            frame: Frame::new(&stretch.cells),
             queue: std::mem::take(&mut scratch.queue),
             held: std::mem::take(&mut scratch.held),
             nearest: Cell::new(f64::INFINITY),
@@ -147,23 +146,25 @@ impl<'a, B: Body, const WIDE: bool> Solver<'a, B, WIDE> {
     pub fn seen(&self, at: u32) -> Seen<'_, B> {
         let stripe = self.stripe(at);
         let ball = stripe.sorted(at).balls[place::index(at)];
-        match turned(ball) {
-            Some(id) => stripe.turned[id].leg.seen(),
-            None => Seen {
-                body: &self.bodies[ball as usize],
-                from: self.stretch.start,
-                impacts: 0,
-                turns: 0,
-            },
-        }
+        stripe.turned.seen(ball, self.bodies)
+    }
+
+    /// How often the ball at a place has been turned.
+    #[inline(always)]
+    pub fn turns(&self, at: u32) -> u16 {
+        let stripe = self.stripe(at);
+        stripe
+            .turned
+            .turns(stripe.sorted(at).balls[place::index(at)])
     }
 
     /// Slot of the ball at a place.
     #[inline]
     pub fn slot(&self, at: u32) -> u32 {
         let stripe = self.stripe(at);
-        let ball = stripe.sorted(at).balls[place::index(at)];
-        turned(ball).map_or(ball, |id| stripe.turned[id].slot)
+        stripe
+            .turned
+            .slot(stripe.sorted(at).balls[place::index(at)])
     }
 
     /// Index in the scene of the ball at a place.
@@ -183,7 +184,7 @@ impl<'a, B: Body, const WIDE: bool> Solver<'a, B, WIDE> {
     /// Has the changes of motion and the cushions that the path of a ball leads to wait. Its centre stays in a rectangle
     /// with these corners.
     #[inline(always)]
-    pub fn alone(&mut self, ball: u32, [least, most]: [DVec2; 2]) {
+    pub fn alone(&mut self, ball: u32, [left, top, right, bottom]: [f32; 4]) {
         let Seen {
             body, from, turns, ..
         } = self.seen(ball);
@@ -191,8 +192,8 @@ impl<'a, B: Body, const WIDE: bool> Solver<'a, B, WIDE> {
         if B::BENDS && change <= self.stretch.end {
             self.wait(change.max(from), ball, Kind::Change, [turns, 0]);
         }
-        let clear = self.clear;
-        if least.x < -clear.x || least.y < -clear.y || most.x > clear.x || most.y > clear.y {
+        let [x, z] = self.free;
+        if left < -x || top < -z || right > x || bottom > z {
             self.cushions(ball);
         }
     }

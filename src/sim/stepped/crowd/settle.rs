@@ -5,11 +5,10 @@ use glam::DVec2;
 use crate::physics::ball::State;
 use crate::physics::laws::ball_ball::{BallBallLaw, PairContact};
 use crate::sim::stepped::crowd::body::Body;
-use crate::sim::stepped::crowd::cells::TURNED;
 use crate::sim::stepped::crowd::look::Turn;
 use crate::sim::stepped::crowd::search::Solver;
-use crate::sim::stepped::crowd::stripe::place;
-use crate::sim::stepped::crowd::turned::{Contact, Kind, Leg, Turned, turned};
+use crate::sim::stepped::crowd::stripe::{Stripe, place};
+use crate::sim::stepped::crowd::turned::{Contact, Kind, Leg};
 use crate::sim::stepped::resolve::BOUNCES;
 
 impl<B: Body, const WIDE: bool> Solver<'_, B, WIDE> {
@@ -121,7 +120,7 @@ impl<B: Body, const WIDE: bool> Solver<'_, B, WIDE> {
     /// The nearest place at which a ball overlaps no cushion.
     fn inside(&self, mut place: DVec2) -> DVec2 {
         let walls = self.stretch.walls;
-        if place.abs().cmplt(self.clear).all() {
+        if place.abs().cmplt(self.stretch.clear(0.0)).all() {
             return place;
         }
         let reach = self.stretch.table.reach(self.stretch.ball.radius);
@@ -144,41 +143,28 @@ impl<B: Body, const WIDE: bool> Solver<'_, B, WIDE> {
     /// Puts a ball on another path. Nobody sees it before it is looked for what it meets.
     #[inline]
     fn turn(&mut self, at: u32, body: B, from: f64, impacts: u16) -> Turn {
-        let (start, end) = (self.stretch.start, self.stretch.end);
-        let bounds = self.stretch.bounds(&body, from);
-        let (place, velocity) = (body.position(from), body.velocity(from));
-        let (begin, way) = (place - (from - start) * velocity, (end - start) * velocity);
-        let stripe = self.stripe_mut(at);
-        let (index, turned_id) = (place::index(at), stripe.turned.len() as u32);
-        let sorted = stripe.sorted_mut(at);
-        let middle = sorted.records[index].middle();
-        let free = (middle - bounds[0]).max(bounds[1] - middle);
-        sorted.lanes.hide(index);
-        let ball = sorted.balls[index];
-        let mut leg = Leg {
-            body,
-            from,
-            impacts,
-            turns: 1,
-        };
-        if let Some(id) = turned(ball) {
-            let before = &mut stripe.turned[id].leg;
-            leg.turns = before.turns.wrapping_add(1);
-            *before = leg;
+        let turn = self.stretch.turn(at, &body, from);
+        let speed = body.velocity(from).length_squared();
+        let (stripe, index) = (self.stripe_mut(at), place::index(at));
+        let Stripe {
+            moving,
+            still,
+            turned,
+            tally,
+            ..
+        } = stripe;
+        let sorted = if at & place::STILL == 0 {
+            moving
         } else {
-            sorted.balls[index] = TURNED | turned_id;
-            let (place, slot) = (at, ball);
-            stripe.turned.push(Turned { leg, place, slot });
-        }
-        let speed = velocity.length_squared();
-        let most = &mut stripe.tally.speed;
+            still
+        };
+        let [x, z, ..] = sorted.records[index].numbers;
+        sorted.lanes.hide(index);
+        let ball = &mut sorted.balls[index];
+        *ball = turned.turn(*ball, at, (body, from, impacts));
+        let most = &mut tally.speed;
         *most = if speed > *most { speed } else { *most };
-        self.wander = self.wander.max(free.max_element());
-        Turn {
-            ball: at,
-            from,
-            bounds,
-            path: [begin.x, begin.y, way.x, way.y].map(|number| number as f32),
-        }
+        self.wander.include([x, z], turn.bounds);
+        turn
     }
 }

@@ -12,6 +12,7 @@ use crate::physics::table::Table;
 use crate::sim::stepped::crowd::body::Body;
 use crate::sim::stepped::crowd::cells::{Cells, MARKED, Record};
 use crate::sim::stepped::crowd::census::Tally;
+use crate::sim::stepped::crowd::look::Turn;
 use crate::sim::stepped::crowd::rows::Near;
 use crate::sim::stepped::crowd::walls::Walls;
 
@@ -70,10 +71,20 @@ impl Stretch<'_> {
         self.walls.clear(self.ball.radius * (1.0 + 1e-6) + cut)
     }
 
+    /// What rounding to f32 does to places on the table, m, with room to spare.
+    fn rounding(&self) -> f64 {
+        8.0 * f64::from(f32::EPSILON) * f64::max(self.table.length, self.table.width)
+    }
+
+    /// Half the sides of the rectangle in which a ball touches no cushion, m.
+    pub fn free(&self) -> [f32; 2] {
+        let free = self.clear(self.rounding());
+        [free.x as f32, free.y as f32]
+    }
+
     /// What two balls must come near enough to meet.
     pub fn near(&self) -> Near {
-        let size = f64::max(self.table.length, self.table.width);
-        let rounding = 1e-5 * self.reach() + 4.0 * f64::from(f32::EPSILON) * size;
+        let rounding = 1e-5 * self.reach() + self.rounding();
         let length = self.end - self.start;
         let wide = self.reach() + length * length * self.bend + rounding;
         let side = wide + self.cut + rounding;
@@ -122,22 +133,32 @@ impl Stretch<'_> {
         (record, key)
     }
 
-    /// The corners of the rectangle that the centre of a ball stays in from a moment on, m.
+    /// A ball that is on a path from a moment on.
     #[inline(always)]
-    pub fn bounds<B: Body>(&self, body: &B, from: f64) -> [DVec2; 2] {
-        let left = self.end - from;
-        let begin = body.position(from);
-        let end = begin + left * body.velocity(from);
+    pub fn turn<B: Body>(&self, ball: u32, body: &B, from: f64) -> Turn {
+        let length = self.end - self.start;
+        let after = ((from - self.start) / length) as f32;
+        let (place, way) = (body.position(from), length * body.velocity(from));
+        let (x, z, dx, dz) = (place.x as f32, place.y as f32, way.x as f32, way.y as f32);
+        let left = 1.0 - after;
+        let (end_x, end_z) = (x + left * dx, z + left * dz);
         let bend = if B::BENDS {
-            0.5 * left * left * self.bend
+            0.5 * left * left * (length * length * self.bend) as f32
         } else {
             0.0
         };
-        let least = |a: f64, b: f64| if a < b { a } else { b };
-        let most = |a: f64, b: f64| if a > b { a } else { b };
-        [
-            DVec2::new(least(begin.x, end.x), least(begin.y, end.y)) - bend,
-            DVec2::new(most(begin.x, end.x), most(begin.y, end.y)) + bend,
-        ]
+        let least = |a: f32, b: f32| if a < b { a } else { b } - bend;
+        let most = |a: f32, b: f32| if a > b { a } else { b } + bend;
+        Turn {
+            ball,
+            after,
+            bounds: [
+                least(x, end_x),
+                least(z, end_z),
+                most(x, end_x),
+                most(z, end_z),
+            ],
+            path: [x - after * dx, z - after * dz, dx, dz],
+        }
     }
 }

@@ -8,6 +8,7 @@ use crate::physics::roots::RootError;
 use crate::sim::stepped::crowd::body::Body;
 use crate::sim::stepped::crowd::cells::{Cells, Record, Sorted};
 use crate::sim::stepped::crowd::census::Tally;
+use crate::sim::stepped::crowd::rows::{Frame, Wander};
 use crate::sim::stepped::crowd::stretch::Stretch;
 use crate::sim::stepped::crowd::turned::{Contact, Turned};
 
@@ -55,8 +56,8 @@ pub(super) struct Stripe<B> {
     /// Records of balls that may do more than move on, in order.
     pub marked: Vec<u32>,
     /// How far a ball that was turned gets from the middle of the path it began the stretch on, along x or z, m.
-    pub wander: f64,
-    pub turned: Vec<Turned<B>>,
+    pub wander: Wander,
+    pub turned: Turned<B>,
     /// Contacts that wait.
     pub waiting: Vec<Contact>,
     /// Balls that may meet something beyond the stripe.
@@ -79,8 +80,8 @@ impl<B: Body> Stripe<B> {
             moving: Sorted::default(),
             still: Sorted::default(),
             marked: Vec::new(),
-            wander: 0.0,
-            turned: Vec::new(),
+            wander: Wander::new(0.0),
+            turned: Turned::default(),
             waiting: Vec::new(),
             wide: Vec::new(),
             foreign: Vec::new(),
@@ -147,8 +148,8 @@ impl<B: Body> Stripe<B> {
         }
         self.moving.sort_rows(stretch.cells.columns);
         self.moving.list(&mut self.marked);
-        self.wander = 0.0;
-        self.turned.clear();
+        self.wander = Wander::new(0.0);
+        self.turned.clear(stretch.start);
         self.waiting.clear();
         self.wide.clear();
         self.foreign.clear();
@@ -164,7 +165,11 @@ impl<B: Body> Stripe<B> {
         } else {
             0
         };
-        let start = |x| self.moving.start(next, &stretch.cells, x);
+        let (frame, first) = (
+            Frame::new(&stretch.cells),
+            self.moving.first_of(next, columns),
+        );
+        let start = |x| first[frame.column(x)];
         let one = place::of(self.index, 0);
         let take = |i, k| close.push([one + i, one + k]);
         let lanes = &self.moving.lanes;
@@ -190,7 +195,11 @@ impl<B: Body> Stripe<B> {
         if end == 0 {
             return;
         }
-        let start = |x| sorted.start(other_row, &stretch.cells, x);
+        let (frame, first) = (
+            Frame::new(&stretch.cells),
+            sorted.first_of(other_row, columns),
+        );
+        let start = |x| first[frame.column(x)];
         let take = |i, k| close.push([one + i, two + k]);
         let theirs = (&sorted.lanes, end, start);
         self.moving
@@ -200,11 +209,11 @@ impl<B: Body> Stripe<B> {
 
     /// Puts the balls that were turned and are at home here on their last paths.
     pub fn commit(&mut self, home: &mut [B]) {
-        for (id, ball) in (0..).zip(&self.turned) {
+        for (index, (ball, body)) in (0..).zip(self.turned.all()) {
             let at = (ball.slot as usize).wrapping_sub(self.home.start);
             match home.get_mut(at) {
-                Some(body) if ball.place & place::STILL == 0 => *body = ball.leg.body,
-                _ => self.foreign.push(id),
+                Some(before) if ball.place & place::STILL == 0 => *before = *body,
+                _ => self.foreign.push(index),
             }
         }
     }

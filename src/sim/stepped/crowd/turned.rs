@@ -59,19 +59,6 @@ pub(super) struct Leg<B> {
     pub turns: u16,
 }
 
-impl<B> Leg<B> {
-    /// The same without a copy of the body.
-    #[inline(always)]
-    pub fn seen(&self) -> Seen<'_, B> {
-        Seen {
-            body: &self.body,
-            from: self.from,
-            impacts: self.impacts,
-            turns: self.turns,
-        }
-    }
-}
-
 /// A leg that is only looked at.
 #[derive(Debug)]
 pub(super) struct Seen<'a, B> {
@@ -81,16 +68,114 @@ pub(super) struct Seen<'a, B> {
     pub turns: u16,
 }
 
-/// A ball whose path does not just go on.
+/// A leg without its path.
+#[derive(Clone, Copy, Debug, Default)]
+struct Mark {
+    from: f64,
+    impacts: u16,
+    turns: u16,
+}
+
+/// Where a ball that was turned lies, and where it is at home.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Turned<B> {
-    pub leg: Leg<B>,
+pub(super) struct Home {
     pub place: u32,
     pub slot: u32,
 }
 
-/// Index among the turned of a ball that is one of them.
-#[inline]
-pub(super) fn turned(ball: u32) -> Option<usize> {
-    (ball & TURNED != 0).then_some((ball & !TURNED) as usize)
+/// The balls whose paths do not just go on, in the order in which they were turned first, counted from one: a ball is
+/// known by this number with [`TURNED`], and any other by its slot. Whether a ball was turned is as good as chance, so
+/// nothing here depends on it by a branch.
+#[derive(Debug)]
+pub(super) struct Turned<B> {
+    bodies: Vec<B>,
+    /// The first is that of all balls that were not turned.
+    marks: Vec<Mark>,
+    homes: Vec<Home>,
+}
+
+impl<B> Default for Turned<B> {
+    fn default() -> Self {
+        Self {
+            bodies: Vec::new(),
+            marks: vec![Mark::default()],
+            homes: Vec::new(),
+        }
+    }
+}
+
+impl<B: Copy> Turned<B> {
+    /// Nobody has been turned in a stretch that begins at this time.
+    pub fn clear(&mut self, start: f64) {
+        self.bodies.clear();
+        self.homes.clear();
+        self.marks.truncate(1);
+        self.marks[0].from = start;
+    }
+
+    /// The path of a ball; those that were not turned are still on the ones they `began`.
+    #[inline(always)]
+    pub fn seen<'a>(&'a self, ball: u32, began: &'a [B]) -> Seen<'a, B> {
+        let (is_turned, number) = (ball >> 31, ball & !TURNED);
+        let lists = [began, &self.bodies];
+        let mark = &self.marks[(number & is_turned.wrapping_neg()) as usize];
+        Seen {
+            body: &lists[is_turned as usize][(number - is_turned) as usize],
+            from: mark.from,
+            impacts: mark.impacts,
+            turns: mark.turns,
+        }
+    }
+
+    /// How often a ball has been turned.
+    #[inline(always)]
+    pub fn turns(&self, ball: u32) -> u16 {
+        let number = (ball & !TURNED) & (ball >> 31).wrapping_neg();
+        self.marks[number as usize].turns
+    }
+
+    /// Slot of a ball.
+    #[inline]
+    pub fn slot(&self, ball: u32) -> u32 {
+        if ball & TURNED == 0 {
+            ball
+        } else {
+            self.homes[(ball & !TURNED) as usize - 1].slot
+        }
+    }
+
+    /// Puts the ball at a place on another path; what it is known by from now on.
+    #[inline(always)]
+    pub fn turn(&mut self, ball: u32, place: u32, (body, from, impacts): (B, f64, u16)) -> u32 {
+        if ball & TURNED == 0 {
+            self.bodies.push(body);
+            self.homes.push(Home { place, slot: ball });
+            self.marks.push(Mark {
+                from,
+                impacts,
+                turns: 1,
+            });
+            return TURNED | self.bodies.len() as u32;
+        }
+        let number = (ball & !TURNED) as usize;
+        self.bodies[number - 1] = body;
+        let mark = &mut self.marks[number];
+        let turns = mark.turns.wrapping_add(1);
+        *mark = Mark {
+            from,
+            impacts,
+            turns,
+        };
+        ball
+    }
+
+    /// Where each is at home, and the path it is on.
+    pub fn all(&self) -> impl Iterator<Item = (&Home, &B)> {
+        self.homes.iter().zip(&self.bodies)
+    }
+
+    /// The same of one of them, by its place in that order.
+    pub fn at(&self, index: usize) -> (Home, B) {
+        (self.homes[index], self.bodies[index])
+    }
 }
