@@ -4,6 +4,7 @@
     reason = "the innermost loops of a tick: a call would cost as much as the work"
 )]
 
+use std::hint::black_box;
 use std::time::Instant;
 
 use crate::sim::stepped::crowd::body::Body;
@@ -14,6 +15,8 @@ use crate::sim::stepped::crowd::turned::Kind;
 
 /// Cells of about so many balls are worked on at a time, and at least so many rows.
 const BLOCK: usize = 2048;
+/// Pairs whose balls are asked for at a time.
+const AHEAD: usize = 32;
 const ROWS: usize = 6;
 
 impl<B: Body, const WIDE: bool> Solver<'_, B, WIDE> {
@@ -106,8 +109,13 @@ impl<B: Body, const WIDE: bool> Solver<'_, B, WIDE> {
     }
 
     fn begin_all(&mut self, close: &[[u32; 2]]) {
-        for &[one, other] in close {
-            self.begin(one, other);
+        for some in close.chunks(AHEAD) {
+            // They lie all over memory: asked for at once, they come at once.
+            let touch = |at: &u32| self.seen(*at).body.touch();
+            black_box(some.iter().flatten().map(touch).fold(0, |a, b| a ^ b));
+            for &[one, other] in some {
+                self.begin(one, other);
+            }
         }
     }
 

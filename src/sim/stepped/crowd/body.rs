@@ -19,6 +19,9 @@ pub(super) trait Body: Copy + Send + Sync + 'static {
     /// A ball that is in this state at time `at`.
     fn start(law: &MotionLaw, ball: &Ball, state: &State, at: f64) -> Self;
 
+    /// Bits of numbers on all lines of the cache that the body lies on: whoever wants them has them brought there.
+    fn touch(&self) -> u64;
+
     /// The centre in plan, m.
     fn position(&self, at: f64) -> DVec2;
 
@@ -84,6 +87,7 @@ fn space(vector: DVec2, height: f64) -> DVec3 {
 
 /// A ball without spin on a table without cloth: 32 bytes.
 #[derive(Clone, Copy, Debug)]
+#[repr(align(32))]
 pub(super) struct Gliding {
     /// Where it would have been when the clock began.
     origin: DVec2,
@@ -100,6 +104,11 @@ impl Body for Gliding {
             origin: plan(state.position) - at * velocity,
             velocity,
         }
+    }
+
+    #[inline]
+    fn touch(&self) -> u64 {
+        self.origin.x.to_bits()
     }
 
     #[inline]
@@ -179,8 +188,9 @@ impl Body for Gliding {
 }
 
 /// A ball that spins or rubs on cloth. The piece of path is kept from tick to tick: roots and divisions are paid once
-/// a piece, not once a tick.
+/// a piece, not once a tick. What is wanted in every tick lies on one line of the cache, the rest on the next.
 #[derive(Clone, Copy, Debug)]
+#[repr(C, align(64))]
 pub(super) struct Rubbed {
     position: DVec2,
     velocity: DVec2,
@@ -239,6 +249,11 @@ impl Body for Rubbed {
             motion: state.motion,
             next: piece.next,
         }
+    }
+
+    #[inline]
+    fn touch(&self) -> u64 {
+        self.change.to_bits() ^ self.spin.x.to_bits()
     }
 
     #[inline]

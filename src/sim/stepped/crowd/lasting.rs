@@ -2,7 +2,7 @@
 
 use crate::sim::stepped::crowd::body::Body;
 use crate::sim::stepped::crowd::stretch::Stretch;
-use crate::sim::stepped::crowd::turned::Leg;
+use crate::sim::stepped::crowd::turned::Seen;
 use crate::sim::stepped::resolve::BOUNCES;
 
 /// A ball that has met so many others in a part of a tick that it no longer bounces meets them at most this often in a
@@ -34,7 +34,7 @@ impl Stretch<'_> {
     pub fn settled<B: Body>(
         &self,
         time: f64,
-        legs: [&Leg<B>; 2],
+        legs: [&Seen<B>; 2],
         closing: impl FnOnce() -> f64,
     ) -> Option<f64> {
         if self.pull == 0.0 {

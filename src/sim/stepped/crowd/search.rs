@@ -6,7 +6,6 @@
 
 use std::cell::Cell;
 
-use glam::DVec2;
 
 use crate::physics::contact;
 use crate::physics::roots::RootError;
@@ -14,14 +13,12 @@ use crate::physics::table::Cushion;
 use crate::sim::stepped::crowd::body::{Body, track};
 use crate::sim::stepped::crowd::calendar::Calendar;
 use crate::sim::stepped::crowd::census::Tally;
-use crate::sim::stepped::crowd::rows::{Frame, Near, Wander};
+use crate::sim::stepped::crowd::frame::{Frame, Wander};
+use crate::sim::stepped::crowd::rows::Near;
 use crate::sim::stepped::crowd::stretch::Stretch;
 use crate::sim::stepped::crowd::stripe::{Stripe, place};
 use crate::sim::stepped::crowd::turned::{Contact, Kind, Leg, Seen};
 use crate::sim::stepped::resolve::IMPACTS;
-
-/// What is added to distances before they are compared, for rounding; a share.
-pub(super) const MARGIN: f64 = 1e-9;
 
 /// Memory that is kept from tick to tick.
 #[derive(Debug, Default)]
@@ -54,7 +51,7 @@ pub(super) struct Solver<'a, B, const WIDE: bool> {
     pub queue: Calendar,
     pub held: Vec<Contact>,
     /// Square of the least distance of two balls at the start, m².
-    nearest: Cell<f64>,
+    pub nearest: Cell<f64>,
     failure: Cell<Option<(u32, RootError)>>,
 }
 
@@ -235,69 +232,9 @@ impl<'a, B: Body, const WIDE: bool> Solver<'a, B, WIDE> {
         }
     }
 
-    /// When two legs meet before the end. Where one of them began later than it should have, for a contact that was not
-    /// known, they may overlap then already: they meet at once.
-    #[inline(always)]
-    pub fn meet(&self, place: u32, a: &Seen<B>, b: &Seen<B>) -> Option<f64> {
-        let from = a.from.max(b.from);
-        let end = self.stretch.end;
-        let left = end - from;
-        let offset = b.body.position(from) - a.body.position(from);
-        let velocity = b.body.velocity(from) - a.body.velocity(from);
-        let square = offset.length_squared();
-        if from == self.stretch.start {
-            self.nearest.set(self.nearest.get().min(square));
-        }
-        let reach = self.stretch.reach();
-        let slope = offset.dot(velocity);
-        let met = if square < self.stretch.least_square() {
-            0.0
-        } else if B::BENDS {
-            if !self.may_meet(offset, velocity, left) {
-                return None;
-            }
-            self.meet_bent(place, (a, b), from)?
-        } else {
-            straight(square - reach * reach, slope, velocity.length_squared())?
-        };
-        if met > left {
-            return None;
-        }
-        let impacts = u32::from(a.impacts.max(b.impacts));
-        let time = from + met.max(self.stretch.pause(impacts));
-        Some(time).filter(|time| *time <= end && impacts <= IMPACTS)
-    }
-
-    fn meet_bent(&self, place: u32, (a, b): (&Seen<B>, &Seen<B>), from: f64) -> Option<f64> {
-        if !(a.body.translates() || b.body.translates()) {
-            return None;
-        }
-        let change = a.body.change().min(b.body.change());
-        let left = (self.stretch.end.min(change) - from).max(0.0);
-        let paths = [track(a.body, from), track(b.body, from)];
-        let met = contact::pair(&paths[0], &paths[1], self.stretch.reach(), left);
-        self.found(place, met)
-    }
-
-    /// Whether two balls that bend may meet in this time: most pass each other, which is told without a division and
-    /// without a root.
-    #[inline]
-    fn may_meet(&self, offset: DVec2, velocity: DVec2, left: f64) -> bool {
-        // Both may bend, each by half of the acceleration times the square of the time.
-        let turn = 2.0 * self.stretch.bend * left;
-        let wide = (self.stretch.reach() + 0.5 * turn * left) * (1.0 + MARGIN);
-        let gap = offset.length_squared() - wide * wide;
-        let slope = offset.dot(velocity);
-        let square = velocity.length_squared();
-        let last = gap + left * (2.0 * slope + square * left);
-        let passes = gap * square > slope * slope || -slope >= square * left;
-        let opens = slope > 0.0 && slope * slope > turn * turn * offset.length_squared();
-        !opens && (gap <= 0.0 || slope < 0.0 && (last <= 0.0 || !passes))
-    }
-
     /// The time found; the failure of the ball with the lowest number is kept.
     #[inline]
-    fn found(&self, place: u32, result: Result<Option<f64>, RootError>) -> Option<f64> {
+    pub fn found(&self, place: u32, result: Result<Option<f64>, RootError>) -> Option<f64> {
         result.unwrap_or_else(|error| {
             let number = self.number(place);
             if self.failure.get().is_none_or(|(other, _)| number < other) {
@@ -305,17 +242,5 @@ impl<'a, B: Body, const WIDE: bool> Solver<'a, B, WIDE> {
             }
             None
         })
-    }
-}
-
-/// When two balls on straight lines meet, seen from now: the falling root of gap + 2 slope t + square t², as
-/// [`contact::pair`] finds it; a test holds that they agree. Two that touch or overlap and approach meet now.
-#[inline]
-pub(super) fn straight(gap: f64, slope: f64, square: f64) -> Option<f64> {
-    let discriminant = slope * slope - gap * square;
-    if slope < 0.0 && discriminant >= 0.0 {
-        Some((gap / (discriminant.sqrt() - slope)).max(0.0))
-    } else {
-        None
     }
 }

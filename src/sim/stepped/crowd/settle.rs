@@ -8,7 +8,7 @@ use crate::sim::stepped::crowd::body::Body;
 use crate::sim::stepped::crowd::look::Turn;
 use crate::sim::stepped::crowd::search::Solver;
 use crate::sim::stepped::crowd::stripe::{Stripe, place};
-use crate::sim::stepped::crowd::turned::{Contact, Kind, Leg};
+use crate::sim::stepped::crowd::turned::{Contact, Kind};
 use crate::sim::stepped::resolve::BOUNCES;
 
 impl<B: Body, const WIDE: bool> Solver<'_, B, WIDE> {
@@ -16,94 +16,89 @@ impl<B: Body, const WIDE: bool> Solver<'_, B, WIDE> {
     pub(super) fn happen(&mut self, contact: &Contact) {
         let (ball, laws, time) = (&self.stretch.ball, self.stretch.laws, contact.time);
         let one = contact.ball;
-        let leg = self.leg(one);
         match contact.kind {
             Kind::Change => {
-                let after = leg.body.end(ball);
-                let turn = self.follow(one, &after, time, leg.impacts);
+                let seen = self.seen(one);
+                let (after, impacts) = (seen.body.end(ball), seen.impacts);
+                let turn = self.follow(one, &after, time, impacts);
                 self.look(&[turn]);
             }
             Kind::Cushion(index) => {
-                let table = self.stretch.table;
-                let met = (ball, &leg.body.state(ball, time));
+                let (table, seen) = (self.stretch.table, self.seen(one));
+                let met = (ball, &seen.body.state(ball, time));
                 let cushion = &table.cushions[index as usize];
                 let closing = || {
-                    let (_, normal) = cushion.nearest(leg.body.position(time));
-                    leg.body.velocity(time).dot(normal).abs()
+                    let (_, normal) = cushion.nearest(seen.body.position(time));
+                    seen.body.velocity(time).dot(normal).abs()
                 };
-                let settled = self.stretch.settled(time, [&leg, &leg], closing);
+                let settled = self.stretch.settled(time, [&seen, &seen], closing);
                 let rebound = laws.cushion.meet(table, cushion, met, settled);
                 let after = laws.motion.classify(ball, rebound.state);
-                let turn = self.follow(one, &after, time, leg.impacts + 1);
+                let impacts = seen.impacts + 1;
+                let turn = self.follow(one, &after, time, impacts);
                 self.look(&[turn]);
                 self.tally().cushions += 1;
             }
-            Kind::Ball(other) => self.collide(time, (one, leg), (other, self.leg(other))),
+            Kind::Ball(other) => self.collide(time, one, other),
         }
     }
 
-    fn collide(&mut self, time: f64, one: (u32, Leg<B>), other: (u32, Leg<B>)) {
+    fn collide(&mut self, time: f64, one: u32, other: u32) {
         let (ball, laws) = (&self.stretch.ball, self.stretch.laws);
-        let apart = self.apart(time, &one, &other);
-        let impacts = u32::from(one.1.impacts.max(other.1.impacts));
-        let settled = self.stretch.settled(time, [&one.1, &other.1], || {
-            let normal = other.1.body.position(time) - one.1.body.position(time);
-            let velocity = other.1.body.velocity(time) - one.1.body.velocity(time);
+        let (a, b) = (self.seen(one), self.seen(other));
+        let apart = self.apart([a.body.position(time), b.body.position(time)]);
+        let impacts = [a.impacts, b.impacts];
+        let settled = self.stretch.settled(time, [&a, &b], || {
+            let normal = b.body.position(time) - a.body.position(time);
+            let velocity = b.body.velocity(time) - a.body.velocity(time);
             velocity.dot(normal.normalize_or_zero()).abs()
         });
-        self.tally().saturated += u64::from(impacts == BOUNCES);
+        let saturated = u32::from(impacts[0].max(impacts[1])) == BOUNCES;
         if let (BallBallLaw::Frictionless(law), None) = (&laws.ball_ball, apart)
-            && let Some(bodies) = B::collide([&one.1.body, &other.1.body], time, law.restitution)
             && settled.is_none()
+            && let Some([first, second]) = B::collide([a.body, b.body], time, law.restitution)
         {
-            self.tally().met += 1;
+            let tally = self.tally();
+            tally.met += 1;
+            tally.saturated += u64::from(saturated);
             let turns = [
-                self.turn(one.0, bodies[0], time, one.1.impacts + 1),
-                self.turn(other.0, bodies[1], time, other.1.impacts + 1),
+                self.turn(one, first, time, impacts[0] + 1),
+                self.turn(other, second, time, impacts[1] + 1),
             ];
             self.look(&turns);
             return;
         }
+        let mut before = [a.body.state(ball, time), b.body.state(ball, time)];
+        for (state, place) in before.iter_mut().zip(apart.into_iter().flatten()) {
+            (state.position.x, state.position.z) = (place.x, place.y);
+        }
         // The law sees them in the order of the scene, whoever found the other.
-        let (first, second) = if self.number(one.0) < self.number(other.0) {
-            (one, other)
-        } else {
-            (other, one)
-        };
-        let mut before = [
-            first.1.body.state(ball, time),
-            second.1.body.state(ball, time),
-        ];
-        if let Some(apart) = apart {
-            let apart = if first.0 == one.0 {
-                apart
-            } else {
-                [apart[1], apart[0]]
-            };
-            for (state, place) in before.iter_mut().zip(apart) {
-                (state.position.x, state.position.z) = (place.x, place.y);
-            }
+        let swapped = self.number(one) > self.number(other);
+        if swapped {
+            before.swap(0, 1);
         }
         let mut meeting = PairContact::between(&before[0], &before[1]);
         meeting.restitution = settled;
         let pair = [(ball, &before[0]), (ball, &before[1])];
         let outcome = laws.ball_ball.collide(pair[0], pair[1], &meeting);
-        self.tally().met += u64::from(outcome.impulse > 0.0);
-        let turns = [(first, outcome.first), (second, outcome.second)].map(|((at, leg), state)| {
-            let after = laws.motion.classify(ball, state);
-            self.follow(at, &after, time, leg.impacts + 1)
-        });
+        let mut after = [outcome.first, outcome.second];
+        if swapped {
+            after.swap(0, 1);
+        }
+        let tally = self.tally();
+        tally.met += u64::from(outcome.impulse > 0.0);
+        tally.saturated += u64::from(saturated);
+        tally.late += u64::from(apart.is_some());
+        let [first, second] = after.map(|state| laws.motion.classify(ball, state));
+        let turns = [
+            self.follow(one, &first, time, impacts[0] + 1),
+            self.follow(other, &second, time, impacts[1] + 1),
+        ];
         self.look(&turns);
     }
 
     /// Where the two balls of a contact that was found too late are set so that they just touch; `None` if it was not.
-    fn apart(
-        &mut self,
-        time: f64,
-        (_, one): &(u32, Leg<B>),
-        (_, other): &(u32, Leg<B>),
-    ) -> Option<[DVec2; 2]> {
-        let places = [one.body.position(time), other.body.position(time)];
+    fn apart(&self, places: [DVec2; 2]) -> Option<[DVec2; 2]> {
         let offset = places[1] - places[0];
         let reach = self.stretch.reach();
         let square = offset.length_squared();
@@ -111,7 +106,6 @@ impl<B: Body, const WIDE: bool> Solver<'_, B, WIDE> {
             return None;
         }
         let distance = square.sqrt();
-        self.tally().late += 1;
         let normal = offset.try_normalize().unwrap_or(DVec2::X);
         let push = 0.5 * (reach - distance) * normal;
         Some([self.inside(places[0] - push), self.inside(places[1] + push)])

@@ -8,7 +8,7 @@ use crate::physics::roots::RootError;
 use crate::sim::stepped::crowd::body::Body;
 use crate::sim::stepped::crowd::cells::{Cells, Record, Sorted};
 use crate::sim::stepped::crowd::census::Tally;
-use crate::sim::stepped::crowd::rows::{Frame, Wander};
+use crate::sim::stepped::crowd::frame::{Frame, Wander};
 use crate::sim::stepped::crowd::stretch::Stretch;
 use crate::sim::stepped::crowd::turned::{Contact, Turned};
 

@@ -7,7 +7,7 @@ use crate::physics::contact::{Track, pair};
 use crate::physics::laws::Laws;
 use crate::physics::laws::ball_ball::{BallBallLaw, Frictionless, PairContact};
 use crate::sim::stepped::crowd::body::{Body, Gliding};
-use crate::sim::stepped::crowd::search::straight;
+use crate::sim::stepped::crowd::meeting::{bent, straight};
 
 /// Numbers that repeat after a long time, from -1 to 1.
 fn numbers() -> impl FnMut() -> f64 {
@@ -41,6 +41,36 @@ fn straight_lines_meet_when_the_contact_of_all_balls_says() {
         }
     }
     assert!(met > 3000, "{met}");
+}
+
+#[test]
+fn bent_paths_meet_when_the_contact_of_all_balls_says() {
+    let mut next = numbers();
+    let (mut plain, mut met, reach) = (0, 0, 0.057);
+    for k in 0..40_000 {
+        let offset = 0.15 * DVec2::new(next(), next());
+        let velocity = 3.0 * DVec2::new(next(), next());
+        let pull = [2.0, 20.0, 200.0][k % 3];
+        let acceleration = pull * DVec2::new(next(), next());
+        let track = |position: DVec2, velocity: DVec2, acceleration: DVec2| Track {
+            position: DVec3::new(position.x, 0.0, position.y),
+            velocity: DVec3::new(velocity.x, 0.0, velocity.y),
+            acceleration: DVec3::new(acceleration.x, 0.0, acceleration.y),
+        };
+        let rest = track(DVec2::ZERO, DVec2::ZERO, DVec2::ZERO);
+        let expected = pair(&rest, &track(offset, velocity, acceleration), reach, 1.0);
+        let expected = expected.expect("finite");
+        met += u32::from(expected.is_some());
+        let Some(found) = bent(offset, velocity, acceleration, reach).filter(|time| *time < 1.0)
+        else {
+            continue;
+        };
+        plain += 1;
+        let expected = expected.expect("what is plain is so");
+        let off = (expected - found).abs();
+        assert!(off < 1e-12 + 1e-11 * expected, "{expected} {found} {off:e}");
+    }
+    assert!(met > 6000 && plain > met / 2, "{plain} of {met}");
 }
 
 #[test]
