@@ -91,8 +91,10 @@ fn a_gas_on_a_slope_keeps_its_energy_for_ten_thousand_ticks() {
         (census.potential / after.1 - 1.0).abs() < 1e-12,
         "{census:?}"
     );
-    // The energies are exchanged: the gas is lower than it began.
-    assert!(after.1 < potential, "{potential} J: {census:?}");
+    // The energies are exchanged. Which way is chance: a gas that fills the box lies about as low as the lattice, which has
+    // no balls in the last places of its last row.
+    let exchanged = (after.1 - potential).abs();
+    assert!(exchanged > 0.02, "{potential} J: {census:?}");
     assert!(census.overlap < 0.01 * 2.0 * SMOOTH.radius, "{census:?}");
 }
 

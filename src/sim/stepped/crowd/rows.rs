@@ -219,21 +219,21 @@ impl Lanes {
         mut take: impl FnMut(u32),
     ) {
         let view = self.view();
-        let (mut bits, mut more) = (0_u32, 0_u32);
+        let (mut bits, mut all) = (0_u32, 0_u32);
         for (k, [from, to]) in ranges.iter().enumerate() {
             let end = *from as usize + LANES;
             let found = view.meet::<true>(*from as usize, &sought.path, &sought.part);
             bits |= found << (k * LANES);
-            let goes_on = (end < *to as usize) & (view.middle[end - 1] <= sought.last);
-            more |= u32::from(goes_on) << k;
+            let (ends, passes) = (end >= *to as usize, view.middle[end - 1] > sought.last);
+            all |= (u32::from(ends) | u32::from(passes)) << k;
         }
         while bits != 0 {
             let bit = bits.trailing_zeros() as usize;
             take(ranges[bit / LANES][0] + (bit % LANES) as u32);
             bits &= bits - 1;
         }
-        if more != 0 {
-            let rest = (0..FEW).filter(|k| more >> k & 1 != 0);
+        if all + 1 != 1 << FEW {
+            let rest = (0..FEW).filter(|k| all >> k & 1 == 0);
             let rest = rest.map(|k| [ranges[k][0] + LANES as u32, ranges[k][1]]);
             self.meet(rest, sought, take);
         }

@@ -6,7 +6,6 @@
 
 use std::cell::Cell;
 
-
 use crate::physics::contact;
 use crate::physics::roots::RootError;
 use crate::physics::table::Cushion;
