@@ -11,7 +11,7 @@ use glam::{DVec2, DVec3};
 
 use crate::physics::laws::motion::Piece;
 use crate::physics::roots::{self, RootError};
-use crate::physics::table::{Arc, Line, Pocket};
+use crate::physics::table::{Arc, Cushion, Line, Pocket};
 
 /// A path with constant acceleration seen from now.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,6 +39,27 @@ impl Track {
     #[must_use]
     pub fn at(&self, time: f64) -> DVec3 {
         self.position + time * (self.velocity + (0.5 * time) * self.acceleration)
+    }
+
+    /// How deep in m two balls overlap after this time, and how fast in m/s it grows.
+    #[must_use]
+    pub fn overlap(&self, other: &Self, reach: f64, time: f64) -> (f64, f64) {
+        let offset = other.at(time) - self.at(time);
+        let distance = offset.length();
+        let speed = self.speed(time) - other.speed(time);
+        (reach - distance, speed.dot(offset) / distance)
+    }
+
+    /// How deep in m a ball on the slate overlaps a cushion after this time, and how fast in m/s it grows.
+    #[must_use]
+    pub fn overlap_of(&self, cushion: &Cushion, reach: f64, time: f64) -> (f64, f64) {
+        let (distance, away) = cushion.nearest(Self::plan(self.at(time)));
+        let speed = Self::plan(self.speed(time));
+        (reach - distance, -speed.dot(away))
+    }
+
+    fn speed(&self, time: f64) -> DVec3 {
+        self.velocity + time * self.acceleration
     }
 
     fn plan(vector: DVec3) -> DVec2 {

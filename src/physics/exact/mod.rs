@@ -31,6 +31,7 @@ mod predict;
 mod queue;
 mod recorder;
 mod saved;
+mod step;
 mod walls;
 
 pub use engine::Engine;

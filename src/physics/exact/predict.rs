@@ -2,13 +2,12 @@
 
 use crate::physics::airborne::Landing;
 use crate::physics::contact::{self, Track};
+use crate::physics::exact::SolveError;
 use crate::physics::exact::cells::Neighbours;
 use crate::physics::exact::engine::Engine;
 use crate::physics::exact::flight::Glide;
 use crate::physics::exact::walls::{Area, Wall};
-use crate::physics::exact::{SolveError, Watch};
-use crate::physics::laws::cluster::Other;
-use crate::physics::record::{Event, EventKind, Participant};
+use crate::physics::laws::cluster::{Other, put_off};
 use crate::physics::roots::{RootError, quadratic};
 use crate::physics::table::Cushion;
 
@@ -213,6 +212,7 @@ impl Engine {
                 if !glide.passes(&there, search.wait, self.touch).0 {
                     let horizon = search.wait.min(flight.until - now);
                     let wait = quadratic::first_closing(glide.gap(&there), 0.0, horizon)?;
+                    let wait = self.put_off_pair(ball, track, other as usize, (wait, horizon));
                     search.offer(wait, Partner::Ball(other));
                 }
             }
@@ -235,8 +235,26 @@ impl Engine {
         let now = self.clock;
         let horizon = search.wait.min(two.until - now);
         let wait = contact::pair(track, &self.seen(other), one.radius + two.radius, horizon)?;
+        let wait = self.put_off_pair(ball, track, other, (wait, horizon));
         search.offer(wait, Partner::Ball(other as u32));
         Ok(())
+    }
+
+    /// The contact of a pair that was found until the horizon, unless it can wait for longer; see [`put_off`].
+    #[inline]
+    fn put_off_pair(
+        &self,
+        ball: usize,
+        track: &Track,
+        other: usize,
+        (wait, horizon): (Option<f64>, f64),
+    ) -> Option<f64> {
+        let age = self.clock - self.touched[ball].last(Other::Ball(other as u32));
+        let wait = put_off(wait?, age, |time| {
+            let reach = self.flights[ball].radius + self.flights[other].radius;
+            track.overlap(&self.seen(other), reach, time)
+        });
+        (wait <= horizon).then_some(wait)
     }
 
     fn search_walls(
@@ -282,10 +300,16 @@ impl Engine {
         }
         let reach = self.table.reach(flight.radius);
         let wait = match wall {
-            Wall::Cushion(index) => match &self.table.cushions[index as usize] {
-                Cushion::Line(line) => contact::line(track, line, reach, search.wait)?,
-                Cushion::Arc(arc) => contact::arc(track, arc, reach, search.wait)?,
-            },
+            Wall::Cushion(index) => {
+                let cushion = &self.table.cushions[index as usize];
+                let wait = match cushion {
+                    Cushion::Line(line) => contact::line(track, line, reach, search.wait)?,
+                    Cushion::Arc(arc) => contact::arc(track, arc, reach, search.wait)?,
+                };
+                let age = self.clock - self.touched[ball].last(Other::Cushion(index));
+                let overlap = |time| track.overlap_of(cushion, reach, time);
+                wait.map(|wait| put_off(wait, age, overlap))
+            }
             Wall::Pocket(index) => {
                 contact::pocket(track, &self.table.pockets[index as usize], search.wait)?
             }
@@ -295,84 +319,6 @@ impl Engine {
             Wall::Pocket(index) => Partner::Pocket(index),
         };
         search.offer(wait, partner);
-        Ok(())
-    }
-
-    /// Lets the earliest event happen; the clock stands at its time.
-    pub(super) fn step(&mut self, watch: &mut impl Watch) -> Result<(), SolveError> {
-        let ball = self.queue.first();
-        let next = self.flights[ball].next;
-        match next.partner {
-            Partner::Nothing => Ok(()),
-            Partner::Cell(cell) => {
-                if let Some(cells) = &mut self.cells {
-                    cells.remove(ball as u32);
-                    cells.insert(ball as u32, cell);
-                }
-                self.predict(ball)
-            }
-            // The other ball has changed its path since: look again.
-            Partner::Ball(other) if self.flights[other as usize].count != next.count => {
-                self.predict(ball)
-            }
-            Partner::Ball(_) | Partner::Cushion(_) => {
-                self.count_event(ball)?;
-                self.collide(ball, next.partner, watch)
-            }
-            Partner::Motion => {
-                self.count_event(ball)?;
-                let before = self.state(ball);
-                let (table, body) = (&self.table, &self.bodies[ball]);
-                let after = self.laws.end(table, body, &self.paths[ball].piece);
-                self.set(ball, after, watch)?;
-                let kind = EventKind::Motion {
-                    from: before.motion,
-                    to: after.motion,
-                };
-                watch.event(&self.lone(ball, kind, before, after));
-                self.predict(ball)
-            }
-            Partner::Pocket(pocket) => {
-                self.count_event(ball)?;
-                self.pass_edge(ball, pocket as usize, watch)
-            }
-            Partner::Landing(landing) => {
-                self.count_event(ball)?;
-                self.come_down(ball, landing, watch)
-            }
-        }
-    }
-
-    pub(super) fn lone(
-        &self,
-        ball: usize,
-        kind: EventKind,
-        before: crate::physics::ball::State,
-        after: crate::physics::ball::State,
-    ) -> Event {
-        Event {
-            time: self.clock,
-            kind,
-            first: Participant {
-                ball,
-                before,
-                after,
-            },
-            second: None,
-            impulse: 0.0,
-        }
-    }
-
-    fn count_event(&mut self, ball: usize) -> Result<(), SolveError> {
-        self.happened += 1;
-        self.last = self.clock;
-        if self.happened > self.limits.events {
-            return Err(SolveError::EventLimit {
-                events: self.happened,
-                time: self.clock,
-                ball: self.names[ball].clone(),
-            });
-        }
         Ok(())
     }
 }

@@ -5,7 +5,7 @@ use glam::DVec2;
 
 use crate::physics::ball::{Ball, Motion, State};
 use crate::physics::contact::Track;
-use crate::physics::laws::cluster::{Other, TOUCH, Touched};
+use crate::physics::laws::cluster::{self, Other, TOUCH, Touched};
 use crate::physics::laws::motion::Piece;
 use crate::physics::record::PathPiece;
 use crate::physics::scene::{Solver, Stepped};
@@ -115,6 +115,21 @@ impl Bodies {
     pub fn remember(&mut self, memory: &[Vec<(Other, f64)>]) {
         let lists = memory.iter();
         self.touched = lists.map(|list| Touched::from_list(list)).collect();
+    }
+
+    /// When a contact found `wait` s after a time of the tick is to be looked at; see [`cluster::put_off`].
+    pub(super) fn put_off(
+        &self,
+        ball: usize,
+        other: Other,
+        (wait, time): (f64, f64),
+        overlap: impl Fn(f64) -> (f64, f64),
+    ) -> f64 {
+        if !self.locate {
+            return wait;
+        }
+        let age = self.start + time - self.touched[ball].last(other);
+        cluster::put_off(wait, age, overlap)
     }
 
     /// The latest time of the tick at which a contact found at `time` may lie.

@@ -7,6 +7,7 @@ use bevy::prelude::*;
 
 use crate::physics::airborne::{self, Landing};
 use crate::physics::contact::{self, flight};
+use crate::physics::laws::cluster::Other;
 use crate::physics::roots::RootError;
 use crate::physics::table::{Cushion, Table};
 use crate::sim::playfield::Playfield;
@@ -114,7 +115,14 @@ impl Contacts {
             a.ball.radius + b.ball.radius,
             left.max(0.0),
         );
-        if let Some(met) = self.found(first, met) {
+        let Some(met) = self.found(first, met) else {
+            return;
+        };
+        let met = bodies.put_off(first, Other::Ball(second as u32), (met, time), |later| {
+            let reach = a.ball.radius + b.ball.radius;
+            a.track(time).overlap(&b.track(time), reach, later)
+        });
+        if met <= left.max(0.0) {
             self.push(a, first, Kind::Ball(second, b.version), time + met);
         }
     }
@@ -141,7 +149,16 @@ impl Contacts {
             Cushion::Line(line) => contact::line(&track, line, reach, left),
             Cushion::Arc(arc) => contact::arc(&track, arc, reach, left),
         };
-        if let Some(met) = self.found(ball, met) {
+        let Some(mut met) = self.found(ball, met) else {
+            return;
+        };
+        if !body.flies() {
+            let other = Other::Cushion(cushion as u32);
+            met = bodies.put_off(ball, other, (met, time), |later| {
+                track.overlap_of(what, reach, later)
+            });
+        }
+        if met <= left {
             self.push(body, ball, Kind::Cushion(cushion), time + met);
         }
     }

@@ -1,16 +1,16 @@
 //! Contacts that last. A ball that is pressed against a cushion or another ball by the friction under it would bounce ever
-//! more often. Two rules end that. A contact that closes at less than [`SLOW`] less than [`CONTACT_TIME`] after the same two
-//! touched loses nothing (the TC model of Luding et al., Granular Matter 1 (1998) 113), and a contact that is pressed
-//! together by a parts with at least a [`CONTACT_TIME`] / 2. So two that rest against each other touch once every
-//! [`CONTACT_TIME`] at most, with gaps of some micrometres.
+//! more often. Three rules end that. A contact that closes at less than [`SLOW`] less than [`CONTACT_TIME`] after the same two
+//! touched loses nothing (the TC model of Luding et al., Granular Matter 1 (1998) 113); a contact that is pressed
+//! together parts fast enough not to close again within a [`CONTACT_TIME`]; and where it would close again sooner all the
+//! same, without force and by next to nothing, as of a ball between two others that leave it no room, it is let wait
+//! ([`put_off`]). So two that rest against each other touch once every [`CONTACT_TIME`] at most, with gaps of some micrometres.
 
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
-use crate::physics::ball::Motion;
+use crate::physics::ball::{Motion, State};
 use crate::physics::laws::Laws;
 use crate::physics::laws::cluster::{Against, Blow, Cluster, Member, PART, STILL, Touching};
-use crate::physics::laws::motion::MotionLaw;
 use crate::physics::table::Table;
 
 /// Two contacts of the same two within this time in s are one lasting contact. Cushions hold a ball for about 8 ms
@@ -19,6 +19,9 @@ pub const CONTACT_TIME: f64 = 1e-3;
 
 /// Closing speed in m/s below which two contacts soon after each other are one lasting contact.
 pub const SLOW: f64 = 5e-3;
+
+/// How much deeper in m a contact may get that is let wait.
+const SLIGHT: f64 = 1e-13;
 
 /// Most times that contacts are made to part at one instant.
 const BEARINGS: usize = 64;
@@ -78,6 +81,24 @@ impl Touched {
             touched.time[place] = *time;
         }
         touched
+    }
+}
+
+/// When a contact that would close in `wait` s is to be looked at: at once, unless the same two touched less than a contact
+/// time before, `age` s ago now, and would get deeper into each other by next to nothing if they were left alone for the
+/// rest of it. `overlap` tells how deep in m they are after a time, and how fast in m/s that grows.
+#[must_use]
+pub fn put_off(wait: f64, age: f64, overlap: impl Fn(f64) -> (f64, f64)) -> f64 {
+    let later = CONTACT_TIME - age;
+    if later <= wait {
+        return wait;
+    }
+    // Fast ones are deeper on the way than at the end of it.
+    let deeper = overlap(later).0 - overlap(0.0).0.max(0.0);
+    if overlap(wait).1 * CONTACT_TIME <= SLIGHT && deeper <= SLIGHT {
+        later
+    } else {
+        wait
     }
 }
 
@@ -145,7 +166,32 @@ impl Cluster {
         for (member, before) in self.members.iter_mut().zip(&self.before) {
             if member.state != *before {
                 member.state = laws.settled(table, &member.body, &member.state);
-                stop(&laws.motion, member);
+                stop(laws, table, member);
+            }
+        }
+        self.leave_alone(laws);
+    }
+
+    /// Takes from balls that move on what little drives them into others that have come to rest by [`stop`].
+    fn leave_alone(&mut self, laws: &Laws) {
+        for index in 0..self.contacts.len() {
+            let contact = self.contacts[index];
+            let Against::Ball { member } = contact.against else {
+                continue;
+            };
+            let closing = self.closing(&contact);
+            let flies = |place: usize| self.members[place].state.motion.flies();
+            if !(0.0 < closing && closing <= STILL) || flies(contact.first) || flies(member) {
+                continue;
+            }
+            for (moves, rests, sign) in
+                [(contact.first, member, -1.0), (member, contact.first, 1.0)]
+            {
+                if self.members[rests].state.velocity == DVec3::ZERO {
+                    let Member { body, state, .. } = &mut self.members[moves];
+                    state.velocity += sign * closing * contact.normal;
+                    *state = laws.motion.classify(body, *state);
+                }
             }
         }
     }
@@ -159,23 +205,18 @@ impl Cluster {
             let mut parting = 0.0;
             if closing > -SLOW {
                 let first = &self.members[contact.first];
-                let press_of =
-                    |member: &Member| laws.piece(table, &member.body, &member.state).acceleration;
-                let mut press = press_of(first);
-                let mut moves = first.state.motion.translates();
-                if let Against::Ball { member } = contact.against {
-                    let second = &self.members[member];
-                    press -= press_of(second);
-                    moves |= second.state.motion.translates();
-                }
-                if moves {
+                let second = match contact.against {
+                    Against::Ball { member } => Some(&self.members[member]),
+                    Against::Cushion { .. } => None,
+                };
+                let moves = |member: &Member| member.state.motion.translates();
+                if moves(first) || second.is_some_and(moves) {
                     // A first touch parts as its law says; if it is pressed back at once it is lasting then.
-                    let time = if self.lasting[index] {
-                        CONTACT_TIME
+                    let spring = if self.lasting[index] {
+                        spring(laws, table, contact, (first, second))
                     } else {
                         0.0
                     };
-                    let spring = 0.5 * time * press.dot(contact.normal);
                     parting = spring.max(PART);
                     // Two that only slide past each other are left alone, unless they are what met.
                     let met = index == 0 && blow == Blow::Impact;
@@ -189,17 +230,65 @@ impl Cluster {
     }
 }
 
-/// Brings a ball on cloth to rest that a blow has left with less speed than settles a contact. It would go no further
-/// than 1e-20 m, but touch what it leans on again at each change of motion.
-fn stop(motion: &MotionLaw, member: &mut Member) {
-    let state = &mut member.state;
-    let spin = state.angular_velocity;
-    if matches!(state.motion, Motion::Sliding | Motion::Rolling)
-        && state.velocity.length() <= STILL
-        && member.body.radius * spin.length() <= STILL + member.body.radius * spin.y.abs()
-    {
-        state.velocity = DVec3::ZERO;
-        state.angular_velocity = DVec3::Y * spin.y;
-        *state = motion.classify(&member.body, *state);
+/// The speed in m/s at which a contact must part so that what drives the two together does not close it again within a
+/// contact time. A slide that begins with a blow may end within a microsecond, and takes back two sevenths of what the blow
+/// gave: two that roll into each other would touch ever more often if only its acceleration counted.
+fn spring(
+    laws: &Laws,
+    table: &Table,
+    contact: &Touching,
+    (first, second): (&Member, Option<&Member>),
+) -> f64 {
+    let members = || std::iter::once((first, 1.0)).chain(second.map(|member| (member, -1.0)));
+    let piece_of = |member: &Member| laws.piece(table, &member.body, &member.state);
+    let press: DVec3 = members()
+        .map(|(member, sign)| sign * piece_of(member).acceleration)
+        .sum();
+    let now = 0.5 * CONTACT_TIME * press.dot(contact.normal);
+    let until = |member: &Member| match member.state.motion {
+        Motion::Sliding | Motion::Rolling => piece_of(member).duration,
+        _ => f64::INFINITY,
+    };
+    let ends = || members().map(|(member, _)| until(member));
+    let within = |time: &f64| (f64::MIN_POSITIVE..CONTACT_TIME).contains(time);
+    if !ends().any(|time| within(&time)) {
+        return now;
     }
+    // How far a ball gets from the straight line on which it is.
+    let bent = |member: &Member, time: f64| {
+        let here = State {
+            position: DVec3::ZERO,
+            ..member.state
+        };
+        laws.motion.advance(&member.body, &here, time).position - time * here.velocity
+    };
+    let later = |time: f64| {
+        let bent: DVec3 = members()
+            .map(|(member, sign)| sign * bent(member, time))
+            .sum();
+        bent.dot(contact.normal) / time
+    };
+    ends()
+        .filter(within)
+        .map(later)
+        .fold(now.max(later(CONTACT_TIME)), f64::max)
+}
+
+/// Brings a ball on cloth to rest that a blow has left with less speed than settles a contact. It would go no further
+/// than 1e-20 m, but touch what it leans on again at each change of motion; and where the cloth does not rub, a ball that
+/// spins would run to and fro for ever in a gap of one bit.
+fn stop(laws: &Laws, table: &Table, member: &mut Member) {
+    let Member { body, state, .. } = member;
+    let on_cloth = matches!(state.motion, Motion::Sliding | Motion::Rolling);
+    if !on_cloth || state.velocity.length() > STILL {
+        return;
+    }
+    let spin = state.angular_velocity;
+    if body.radius * spin.length() <= STILL + body.radius * spin.y.abs() {
+        state.angular_velocity = DVec3::Y * spin.y;
+    } else if laws.piece(table, body, state).acceleration != DVec3::ZERO {
+        return;
+    }
+    state.velocity = DVec3::ZERO;
+    *state = laws.motion.classify(body, *state);
 }

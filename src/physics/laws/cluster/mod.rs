@@ -6,7 +6,7 @@ mod lasting;
 mod smith_2012;
 mod touching;
 
-pub use lasting::{CONTACT_TIME, Other, SLOW, Touched};
+pub use lasting::{CONTACT_TIME, Other, SLOW, Touched, put_off};
 pub use smith_2012::{Cluster, ROUNDS};
 pub use touching::{DEEP, reach_of, touches};
 
