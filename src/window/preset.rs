@@ -348,4 +348,31 @@ mod tests {
         );
         let _ = std::fs::remove_dir_all(&folder);
     }
+
+    /// The clock may go backwards while somebody plays, and files may vanish.
+    #[test]
+    fn a_file_from_the_past_is_taken_up_and_one_that_is_gone_is_told_of() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let file = folder.path().join("mine.ron");
+        let text =
+            |e: &str| format!("(base: \"pool\", set: {{\"laws.cushion.restitution\": {e}}})");
+        std::fs::write(&file, text("0.8")).expect("a file");
+        let mut app = app(&file);
+        assert_eq!(look(&mut app), (None, None));
+        std::fs::write(&file, text("0.7")).expect("a file");
+        let past = SystemTime::UNIX_EPOCH + Duration::from_secs(1_000_000_000);
+        let written = std::fs::File::options().write(true).open(&file);
+        written
+            .and_then(|file| file.set_modified(past))
+            .expect("an older date");
+        let (equip, _) = look(&mut app);
+        let restitution = |equip: Equip| equip.equipment.laws.cushion.restitution(1.0);
+        assert_eq!(equip.map(restitution), Some(0.7));
+        std::fs::remove_file(&file).expect("it is there");
+        let (equip, told) = look(&mut app);
+        assert_eq!(equip, None);
+        assert!(told.is_some_and(|told| told.is_failure && told.text.english.contains("mine.ron")));
+        std::fs::write(&file, text("0.6")).expect("a file");
+        assert_eq!(look(&mut app).0.map(restitution), Some(0.6), "it came back");
+    }
 }

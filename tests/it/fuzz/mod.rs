@@ -12,6 +12,7 @@ mod saved_tables;
 mod scenes;
 mod sound;
 mod texts;
+mod whims;
 
 use std::fmt::Debug;
 use std::panic::{AssertUnwindSafe, catch_unwind};
