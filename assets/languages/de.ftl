@@ -359,6 +359,7 @@ notice-sound-lost = Das Tongerät ist fort. Ton gibt es wieder, wenn das Spiel n
 notice-miscue = Kicks: das Leder ist von der Kugel abgerutscht.
 notice-solver = Der Löser blieb bei { $time } s stehen: { $reason }. Der Tisch ist wieder wie vor dem Stoß.
 notice-no-room = Die Kugeln haben auf diesem Tisch keinen Platz: neu aufgebaut.
+notice-agreed = Eine Partie wird mit dem gespielt, was vereinbart ist: zuerst die Partie verlassen.
 notice-file-changed = { $name } wurde geändert: gilt ab dem nächsten Stoß.
 notice-file-no-good = { $error } Es gilt weiter, was vorher darin stand.
 notice-settings-damaged = Die Einstellungen konnten nicht gelesen werden. { $file }: { $reason }. Die Datei bleibt als { $kept } erhalten; alles ist wie am Anfang.

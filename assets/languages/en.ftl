@@ -359,6 +359,7 @@ notice-sound-lost = The sound device is gone. Sound comes back when the game is 
 notice-miscue = Miscue: the tip slipped off the ball.
 notice-solver = The solver stopped at { $time } s: { $reason }. The table is back as it was before the shot.
 notice-no-room = The balls have no room on this table: racked again.
+notice-agreed = A match is played with what was agreed on: leave it first.
 notice-file-changed = { $name } has changed: played with from the next shot on.
 notice-file-no-good = { $error } Playing on with what it said before.
 notice-settings-damaged = The settings could not be read. { $file }: { $reason }. The file is kept as { $kept }; every setting is as at first.

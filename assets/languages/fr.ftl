@@ -359,6 +359,7 @@ notice-sound-lost = Le périphérique audio a disparu. Le son revient au prochai
 notice-miscue = Fausse queue : le procédé a glissé de la bille.
 notice-solver = Le solveur s'est arrêté à { $time } s : { $reason }. La table est revenue à l'état d'avant le coup.
 notice-no-room = Les billes n'ont pas de place sur cette table : elles sont replacées.
+notice-agreed = Une partie se joue avec ce qui a été convenu : il faut d'abord la quitter.
 notice-file-changed = { $name } a changé : pris en compte dès le prochain coup.
 notice-file-no-good = { $error } On continue avec ce qui y était écrit avant.
 notice-settings-damaged = Les réglages n'ont pas pu être lus. { $file } : { $reason }. Le fichier est gardé sous { $kept } ; tout est comme au début.

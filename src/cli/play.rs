@@ -6,7 +6,7 @@ use std::time::Instant;
 
 use crate::cli::simulate::simulate;
 use crate::cli::{CommandError, say, to_file, to_stdout};
-use crate::game::practice;
+use crate::game::racking;
 use crate::physics::scene::{Rack, Solver};
 use crate::report::{picture, record_file};
 use crate::scenarios::file::Scenario;
@@ -53,7 +53,7 @@ fn equipped(scenario: Option<Scenario>, name: &str) -> Result<Scenario, CommandE
         None => Scenario::plain(
             &preset.title,
             &preset.description,
-            practice::set_up(&preset.equipment, Solver::Exact, Rack::EightBall, 1),
+            racking::set_up(&preset.equipment, Solver::Exact, Rack::EightBall, 1),
         ),
     };
     let shot = scenario.scene.shot;

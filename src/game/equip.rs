@@ -3,9 +3,11 @@
 use bevy::prelude::*;
 
 use crate::game::aim::Aim;
-use crate::game::practice::{self, BREAK_SPEED, Practice, aim_at_next, obey, take_up};
+use crate::game::practice::{BREAK_SPEED, Practice, aim_at_next, obey, take_up};
+use crate::game::racking;
 use crate::game::replay::Replay;
 use crate::game::saying::Saying;
+use crate::game::turns::Turns;
 use crate::physics::equipment::{BallSet, Equipment};
 use crate::sim::SimSystems;
 use crate::sim::clock::Clock;
@@ -79,7 +81,12 @@ fn is_waited_for(waiting: Res<Waiting>, clock: Res<Clock>, replay: Res<Replay>) 
     waiting.0.is_some() && !clock.moving && !replay.is_active()
 }
 
-/// Brings the equipment to the table. Where only laws or the cue are others nothing is laid out again.
+/// Brings the equipment to the table. Where only laws or the cue are others nothing is laid out again. A match is played
+/// with what was agreed on.
+#[expect(
+    clippy::too_many_arguments,
+    reason = "the table, the match, what is wished for and what becomes of it"
+)]
 pub(super) fn equip(
     mut waiting: ResMut<Waiting>,
     mut playfield: ResMut<Playfield>,
@@ -87,11 +94,23 @@ pub(super) fn equip(
     mut aim: ResMut<Aim>,
     mut load: MessageWriter<LoadScene>,
     mut told: MessageWriter<Told>,
+    turns: Res<Turns>,
     balls: BallQuery,
 ) {
     let Some(Equip { equipment, rack }) = waiting.0.take() else {
         return;
     };
+    if turns.is_agreed() {
+        told.write(Told {
+            text: Saying::new(
+                "notice-agreed",
+                &[],
+                "A match is played with what was agreed on: leave it first.",
+            ),
+            is_failure: true,
+        });
+        return;
+    }
     let mut scene = snapshot(&playfield, &balls);
     let same_balls = BallSet::in_scene(&scene) == Some(equipment.balls);
     if !rack && same_balls && scene.table == equipment.table {
@@ -106,7 +125,7 @@ pub(super) fn equip(
     let solver = scene.solver;
     let stays = !rack && equipment.take_over(&mut scene);
     if !stays {
-        scene = practice::set_up(&equipment, solver, practice.rack, practice.next_seed());
+        scene = racking::playable(&equipment, solver, practice.rack, practice.next_seed());
         aim.set_tip(0.0, 0.0);
         aim.set_elevation(0.0);
         aim.set_speed(BREAK_SPEED);

@@ -12,6 +12,7 @@ pub mod placing;
 pub mod players;
 pub mod practice;
 pub mod preview;
+pub mod racking;
 pub mod replay;
 pub mod rules;
 pub mod saying;

@@ -9,13 +9,13 @@ use glam::DVec2;
 use crate::game::aim::Aim;
 use crate::game::history::History;
 use crate::game::turns::Turns;
-use crate::game::{placing, target};
+use crate::game::{placing, racking, target};
 use crate::physics::ball::Motion;
 use crate::physics::cue::Shot;
-use crate::physics::equipment::{BallSet, Equipment};
+use crate::physics::equipment::Equipment;
 use crate::physics::laws::Laws;
-use crate::physics::scene::{Rack, Scene, Solver};
-use crate::physics::table::{Preset, Table};
+use crate::physics::scene::{Rack, Scene};
+use crate::physics::table::Preset;
 use crate::sim::SimSystems;
 use crate::sim::clock::Clock;
 use crate::sim::components::{AngularVelocity, BallIndex, MotionKind, Position, Velocity};
@@ -124,36 +124,12 @@ pub(super) fn plugin(app: &mut App) {
 /// A table racked for the opening: what the program starts with.
 #[must_use]
 pub fn opening() -> Scene {
-    racked(
+    racking::racked(
         &Scene::new(Preset::NineFoot.table(), Laws::default()),
         Preset::NineFoot.table(),
         Rack::EightBall,
         1,
     )
-}
-
-/// This table racked, with the laws, the cue, the solver and the kinds of balls of a scene.
-#[must_use]
-pub fn racked(like: &Scene, table: Table, rack: Rack, seed: u64) -> Scene {
-    let equipment = Equipment {
-        table,
-        laws: like.laws,
-        cue: like.cue,
-        balls: BallSet::in_scene(like).unwrap_or_default(),
-    };
-    set_up(&equipment, like.solver, rack, seed)
-}
-
-/// A rack with this equipment.
-#[must_use]
-pub fn set_up(equipment: &Equipment, solver: Solver, rack: Rack, seed: u64) -> Scene {
-    let mut scene = equipment.scene();
-    if solver != Solver::Exact || scene.laws.motion.is_closed_form() {
-        scene.solver = solver;
-    }
-    rack.place(&mut scene, equipment.balls.object, 0.0, seed);
-    equipment.balls.exchange(&mut scene);
-    scene
 }
 
 /// Points the cue at the table the program starts with.
@@ -255,7 +231,11 @@ pub(super) fn obey(
                     PracticeCommand::Table(preset) => table = preset.table(),
                     _ => {}
                 }
-                scene = racked(&scene, table, practice.rack, practice.seed);
+                let equipment = Equipment {
+                    table,
+                    ..racking::of_scene(&scene)
+                };
+                scene = racking::playable(&equipment, scene.solver, practice.rack, practice.seed);
                 aim.set_tip(0.0, 0.0);
                 aim.set_elevation(0.0);
                 aim.set_speed(BREAK_SPEED);

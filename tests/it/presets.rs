@@ -45,7 +45,7 @@ fn every_built_in_preset_plays_a_break() {
                 .all(|scene| scene.name != asset.name)
         );
         let mut scene =
-            masse::game::practice::set_up(&preset.equipment, Solver::Exact, Rack::NineBall, 1);
+            masse::game::racking::set_up(&preset.equipment, Solver::Exact, Rack::NineBall, 1);
         assert_eq!(scene.check(), Ok(()), "{}", asset.name);
         let shot = masse::physics::cue::Shot {
             speed: 6.0,

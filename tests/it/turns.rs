@@ -7,6 +7,7 @@ use bevy::time::TimeUpdateStrategy;
 use glam::DVec2;
 use masse::game::GamePlugin;
 use masse::game::aim::Aim;
+use masse::game::equip::{Equip, Told};
 use masse::game::matches::{Breaks, Mind, Phase, Player, Setup, Store};
 use masse::game::practice::{self, PracticeCommand};
 use masse::game::replay::Replay;
@@ -17,10 +18,11 @@ use masse::physics::exact::{Limits, solve};
 use masse::physics::laws::Laws;
 use masse::physics::scene::Scene;
 use masse::physics::table::Preset;
+use masse::scenarios::preset;
 use masse::sim::SimPlugin;
 use masse::sim::clock::Clock;
-use masse::sim::messages::Strike;
-use masse::sim::playfield::lay_out;
+use masse::sim::messages::{LoadScene, Strike};
+use masse::sim::playfield::{Playfield, lay_out};
 use masse::sim::stepping;
 
 /// A table that somebody plays at; every frame takes a quarter of a second.
@@ -339,4 +341,48 @@ fn what_cannot_be_played_is_refused_and_the_table_stays() {
         setup("9-ball", [computer("Nobody"), person("Bob")]),
     );
     assert_eq!(refusals(&mut app).len(), 1, "no such level");
+}
+
+#[test]
+fn a_match_is_played_with_what_was_agreed_on() {
+    let mut app = table();
+    begin(&mut app, setup("9-ball", [person("Ada"), person("Bob")]));
+    let agreed = stepping::scene(&mut app);
+    let bar_box = preset::open("bar_box").expect("a preset").equipment;
+    app.world_mut().write_message(Equip {
+        equipment: bar_box.clone(),
+        rack: false,
+    });
+    app.update();
+    app.update();
+    let mut told = app.world_mut().resource_mut::<Messages<Told>>();
+    assert_eq!(told.drain().filter(|told| told.is_failure).count(), 1);
+    assert_eq!(stepping::scene(&mut app), agreed);
+    // Whoever gets past that plays with the laws of the match all the same.
+    app.world_mut().resource_mut::<Playfield>().laws = Laws::ideal();
+    let shot = app.world().resource::<Aim>().shot;
+    strike(&mut app, shot);
+    assert_eq!(app.world().resource::<Playfield>().laws, agreed.laws);
+    let game = turns(&app).game().expect("a match").clone();
+    assert_eq!(game.shots().len(), 1);
+    // Another scene on the table ends it.
+    let scene = bar_box.scene();
+    app.world_mut().write_message(LoadScene(scene));
+    app.update();
+    app.update();
+    assert!(!turns(&app).is_on());
+}
+
+#[test]
+fn who_practises_for_points_may_change_the_equipment_and_leaves_for_the_open_table() {
+    let mut app = table();
+    let mut alone = setup("practice", [person("Ada"), person("Bob")]);
+    alone.players.truncate(1);
+    begin(&mut app, alone);
+    assert!(turns(&app).is_on() && !turns(&app).is_agreed());
+    app.world_mut().resource_mut::<Playfield>().laws = Laws::ideal();
+    let shot = app.world().resource::<Aim>().shot;
+    strike(&mut app, shot);
+    assert!(!turns(&app).is_on());
+    assert_eq!(app.world().resource::<Playfield>().laws, Laws::ideal());
 }

@@ -51,7 +51,7 @@ use std::ops::RangeInclusive;
 
 use serde::{Deserialize, Serialize};
 
-use crate::game::practice;
+use crate::game::racking;
 use crate::physics::ball::Motion;
 use crate::physics::record::Record;
 use crate::physics::scene::{Rack, Scene};
@@ -209,7 +209,7 @@ impl Game {
 
 /// A rack with its balls in the order of their numbers, so that a ball has the same index in every rack of a match.
 fn racked(like: &Scene, rack: Rack, seed: u64) -> Scene {
-    let mut scene = practice::racked(like, like.table.clone(), rack, seed);
+    let mut scene = racking::racked(like, like.table.clone(), rack, seed);
     // The cue ball and balls without numbers keep their order before the others.
     let number = |name: &str| name.parse::<u8>().unwrap_or(0);
     scene.balls.sort_by_key(|ball| number(&ball.name));

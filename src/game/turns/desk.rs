@@ -14,6 +14,7 @@ use crate::game::turns::saves::let_go;
 use crate::game::turns::{MatchStore, TurnCommand, TurnNews, Turns, is_computers};
 use crate::physics::cue::Shot;
 use crate::physics::exact::{Limits, solve};
+use crate::physics::scene::Scene;
 use crate::sim::clock::Clock;
 use crate::sim::messages::LoadScene;
 
@@ -174,6 +175,27 @@ fn begin(turns: &mut Turns, session: Session, news: &mut MessageWriter<TurnNews>
     let_go(turns, news);
     turns.session = Some(session);
     news.write(TurnNews::Begun);
+}
+
+/// Another scene on the table ends the match: what it was played on is no longer there.
+pub(super) fn make_room(
+    mut scenes: MessageReader<LoadScene>,
+    mut turns: ResMut<Turns>,
+    mut news: MessageWriter<TurnNews>,
+) {
+    let Some(LoadScene(scene)) = scenes.read().last() else {
+        return;
+    };
+    let is_its_own = |own: &Scene| {
+        let mut pairs = scene.balls.iter().zip(&own.balls);
+        scene.table == own.table
+            && (scene.laws, scene.cue) == (own.laws, own.cue)
+            && scene.balls.len() == own.balls.len()
+            && pairs.all(|(one, other)| (&one.name, one.ball) == (&other.name, other.ball))
+    };
+    if turns.game().is_some_and(|game| !is_its_own(&game.table())) {
+        let_go(&mut turns, &mut news);
+    }
 }
 
 /// What is for the match itself to decide.

@@ -26,6 +26,7 @@ use crate::game::saying::Saying;
 use crate::physics::cue::Shot;
 use crate::physics::scene::Scene;
 use crate::sim::SimSystems;
+use crate::sim::messages::LoadScene;
 use computer::AtTheCue;
 
 /// The match that is played at the table, if there is one.
@@ -167,6 +168,12 @@ impl Turns {
         (!free).then_some(Hindrance::NotInHand)
     }
 
+    /// Whether a match is on whose table, laws and cue are agreed on: any but free practice.
+    #[must_use]
+    pub fn is_agreed(&self) -> bool {
+        self.is_on() && !self.is_practice()
+    }
+
     fn is_practice(&self) -> bool {
         let game = self.game().map(|game| &game.setup().game);
         matches!(game, Some(Game::FreePractice(_)))
@@ -223,6 +230,7 @@ pub(super) fn plugin(app: &mut App) {
                     .before(obey)
                     .before(SimSystems::Strike),
                 (
+                    desk::make_room.run_if(on_message::<LoadScene>),
                     desk::take_cue.run_if(|turns: Res<Turns>| turns.cue_is_due),
                     referee::veto,
                     computer::play,

@@ -2,18 +2,35 @@
 
 use bevy::prelude::*;
 
+use crate::game::turns::saves::let_go;
 use crate::game::turns::{TurnNews, Turns};
 use crate::physics::record::EndReason;
 use crate::sim::messages::{AtRest, Failed, LoadScene, Strike, Struck};
+use crate::sim::playfield::Playfield;
 use crate::sim::recorder::Recorder;
 
-/// Strokes that are not the player's to play do not reach the table.
-pub(super) fn veto(turns: Res<Turns>, mut strikes: ResMut<Messages<Strike>>) {
+/// Strokes that are not the player's to play do not reach the table, and those that are find the laws and the cue of the
+/// match there: it is replayed and saved with them. Who practises with others leaves the match.
+pub(super) fn veto(
+    mut turns: ResMut<Turns>,
+    mut strikes: ResMut<Messages<Strike>>,
+    mut playfield: ResMut<Playfield>,
+    mut news: MessageWriter<TurnNews>,
+) {
     let Some(game) = turns.game() else { return };
     if strikes.is_empty() {
         return;
     }
-    let cue = game.state().cue_ball(&game.table());
+    let table = game.table();
+    let cue = game.state().cue_ball(&table);
+    let agreed = (table.laws, table.cue, table.solver);
+    if (playfield.laws, playfield.cue, playfield.solver) != agreed {
+        if !turns.is_agreed() {
+            let_go(&mut turns, &mut news);
+            return;
+        }
+        (playfield.laws, playfield.cue, playfield.solver) = agreed;
+    }
     let may = turns.may_strike();
     let allowed: Vec<Strike> = strikes
         .drain()

@@ -7,7 +7,9 @@ use crate::physics::exact::cells::Neighbours;
 use crate::physics::exact::engine::Engine;
 use crate::physics::exact::predict::Partner;
 use crate::physics::exact::walls::{Area, Wall};
-use crate::physics::laws::cluster::{DEEP, Member, TOUCH, reach_of, touches};
+use crate::physics::laws::cluster::{
+    CONTACT_TIME, DEEP, LEAN, Member, Other, TOUCH, leans, reach_of, touches,
+};
 use crate::physics::laws::pocket::PocketLaw;
 use crate::physics::table::Pocket;
 
@@ -60,8 +62,8 @@ impl Engine {
         Ok(())
     }
 
-    /// Adds everything that touches the members, and what touches that.
-    pub(super) fn gather(&mut self, partner: Partner) -> Result<(), SolveError> {
+    /// Adds everything that touches the members, and what touches that; with `squeezed` also what they lean on.
+    pub(super) fn gather(&mut self, partner: Partner, squeezed: bool) -> Result<(), SolveError> {
         let mut place = 0;
         while place < self.cluster.members.len() {
             let Member { ball, body, state } = self.cluster.members[place];
@@ -99,7 +101,42 @@ impl Engine {
             }
             self.near = near;
             self.gather_cushions(place, partner)?;
+            if squeezed {
+                self.gather_leaning(place, partner)?;
+            }
             place += 1;
+        }
+        Ok(())
+    }
+
+    /// Adds what a member touches no more, but touched lately.
+    fn gather_leaning(&mut self, place: usize, partner: Partner) -> Result<(), SolveError> {
+        let Member { ball, body, state } = self.cluster.members[place];
+        let reach = reach_of(&self.table, &body, &state);
+        let point = DVec2::new(state.position.x, state.position.z);
+        let touched = self.touched[ball];
+        for (what, time) in touched.list() {
+            if self.clock - time >= CONTACT_TIME || (place == 0 && partner == Partner::from(what)) {
+                continue;
+            }
+            match what {
+                Other::Ball(other) => {
+                    let flight = &self.flights[other as usize];
+                    let distance = self.center(other as usize).distance(state.position);
+                    let gap = distance - (body.radius + flight.radius);
+                    if flight.in_play && gap > TOUCH && gap <= LEAN {
+                        let joined = self.join(other as usize);
+                        if joined > place {
+                            self.touch_balls(place, joined)?;
+                        }
+                    }
+                }
+                Other::Cushion(cushion) => {
+                    if leans(&self.table.cushions[cushion as usize], point, reach) {
+                        self.touch_cushion(place, cushion)?;
+                    }
+                }
+            }
         }
         Ok(())
     }

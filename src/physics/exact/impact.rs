@@ -53,8 +53,11 @@ impl Engine {
         blow: Blow,
         watch: &mut impl Watch,
     ) -> Result<(), SolveError> {
-        self.gather(partner)?;
         let (touched, now) = (&self.touched, self.clock);
+        let age = |ball: usize, other: Other| now - touched[ball].last(other);
+        let squeezed = self.cluster.is_squeezed(blow, age);
+        self.gather(partner, squeezed)?;
+        let touched = &self.touched;
         let age = |ball: usize, other: Other| now - touched[ball].last(other);
         self.cluster.collide(&self.laws, &self.table, blow, age);
         for place in 0..self.cluster.members.len() {

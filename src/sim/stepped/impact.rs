@@ -3,7 +3,8 @@
 use glam::DVec2;
 
 use crate::physics::laws::cluster::{
-    Against, Blow, Cluster, Member, Other, TOUCH, Touching, reach_of, touches,
+    Against, Blow, CONTACT_TIME, Cluster, LEAN, Member, Other, TOUCH, Touching, leans, reach_of,
+    touches,
 };
 use crate::physics::record::{Event, EventKind, Participant};
 use crate::sim::playfield::Playfield;
@@ -85,7 +86,10 @@ impl Impact {
         playfield: &Playfield,
         (blow, time, kind): (Blow, f64, Kind),
     ) {
-        self.gather(bodies, grid, playfield, (time, kind));
+        let (touched, now) = (&bodies.touched, bodies.start + time);
+        let age = |ball: usize, other: Other| now - touched[ball].last(other);
+        let squeezed = self.cluster.is_squeezed(blow, age);
+        self.gather(bodies, grid, playfield, (time, kind, squeezed));
         for contact in &mut self.cluster.contacts {
             let ball = self.cluster.members[contact.first].ball;
             let other = match contact.against {
@@ -116,13 +120,13 @@ impl Impact {
         }
     }
 
-    /// Adds everything that touches the members, and what touches that.
+    /// Adds everything that touches the members, and what touches that; with `squeezed` also what they lean on.
     fn gather(
         &mut self,
         bodies: &Bodies,
         grid: &Grid,
         playfield: &Playfield,
-        (time, kind): (f64, Kind),
+        (time, kind, squeezed): (f64, Kind, bool),
     ) {
         let (laws, table) = (&playfield.laws, &playfield.table);
         let mut place = 0;
@@ -161,7 +165,51 @@ impl Impact {
                 let cushion = self.near[index];
                 self.cluster.touch_cushion(laws, table, place, cushion);
             }
+            if squeezed {
+                self.gather_leaning(bodies, playfield, place, (time, kind));
+            }
             place += 1;
+        }
+    }
+
+    /// Adds what a member touches no more, but touched lately.
+    fn gather_leaning(
+        &mut self,
+        bodies: &Bodies,
+        playfield: &Playfield,
+        place: usize,
+        (time, kind): (f64, Kind),
+    ) {
+        let (laws, table) = (&playfield.laws, &playfield.table);
+        let Member { ball, body, state } = self.cluster.members[place];
+        let reach = reach_of(table, &body, &state);
+        let point = DVec2::new(state.position.x, state.position.z);
+        for (what, touched) in bodies.touched[ball].list() {
+            if bodies.start + time - touched >= CONTACT_TIME {
+                continue;
+            }
+            match what {
+                Other::Ball(other) => {
+                    let other = other as usize;
+                    let met = place == 0 && matches!(kind, Kind::Ball(ball, _) if ball == other);
+                    let there = &bodies.all[other];
+                    let center = there.piece.position(time - there.since);
+                    let gap = center.distance(state.position) - (body.radius + there.ball.radius);
+                    if !met && there.is_in_play() && gap > TOUCH && gap <= LEAN {
+                        let joined = self.join(bodies, other, time);
+                        if joined > place {
+                            self.cluster.touch_ball(place, joined);
+                        }
+                    }
+                }
+                Other::Cushion(cushion) => {
+                    let cushion = cushion as usize;
+                    let met = place == 0 && kind == Kind::Cushion(cushion);
+                    if !met && leans(&table.cushions[cushion], point, reach) {
+                        self.cluster.touch_cushion(laws, table, place, cushion);
+                    }
+                }
+            }
         }
     }
 

@@ -21,6 +21,7 @@ use crate::game::equip::{ChoosePreset, Equip, PresetInUse};
 use crate::game::lift::CueRoom;
 use crate::game::practice::{Practice, PracticeCommand};
 use crate::game::settings::Settings;
+use crate::game::turns::Turns;
 use crate::game::view::{SceneCameras, View};
 use crate::sim::clock::Clock;
 use crate::sim::playfield::{BallQuery, Playfield};
@@ -84,6 +85,7 @@ struct Desk<'w, 's> {
     equip: MessageWriter<'w, Equip>,
     language: Res<'w, Language>,
     latched: ResMut<'w, Latched>,
+    turns: Res<'w, Turns>,
 }
 
 fn toggle(actions: Single<&ActionState<Action>>, mut panel: ResMut<ShotPanel>) {
@@ -132,11 +134,15 @@ fn contents(ui: &mut egui::Ui, desk: &mut Desk) {
     ui.separator();
     table::show(ui, desk);
     ui.separator();
+    // A match is played with what was agreed on.
+    let is_free = !desk.turns.is_agreed();
     fold(ui, &language, "shot-equipment", |ui| {
-        equipment::show(ui, desk);
+        ui.add_enabled_ui(is_free, |ui| equipment::show(ui, desk));
     });
     fold(ui, &language, "shot-last", |ui| last::show(ui, desk));
-    fold(ui, &language, "shot-model", |ui| model::show(ui, desk));
+    fold(ui, &language, "shot-model", |ui| {
+        ui.add_enabled_ui(is_free, |ui| model::show(ui, desk));
+    });
 }
 
 /// A part that is folded away until its heading is clicked.

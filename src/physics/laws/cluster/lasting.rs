@@ -1,7 +1,8 @@
 //! Contacts that last. A ball that is pressed against a cushion or another ball by the friction under it would bounce ever
-//! more often. Three rules end that. A contact that closes at less than [`SLOW`] less than [`CONTACT_TIME`] after the same two
+//! more often. Four rules end that. A contact that closes at less than [`SLOW`] less than [`CONTACT_TIME`] after the same two
 //! touched loses nothing (the TC model of Luding et al., Granular Matter 1 (1998) 113); a contact that is pressed
-//! together parts fast enough not to close again within a [`CONTACT_TIME`]; and where it would close again sooner all the
+//! together parts fast enough not to close again within a [`CONTACT_TIME`]; a ball that is squeezed between others is settled
+//! together with all that it leans on ([`Cluster::is_squeezed`]); and where it would close again sooner all the
 //! same, without force and by next to nothing, as of a ball between two others that leave it no room, it is let wait
 //! ([`put_off`]). So two that rest against each other touch once every [`CONTACT_TIME`] at most, with gaps of some micrometres.
 
@@ -19,6 +20,13 @@ pub const CONTACT_TIME: f64 = 1e-3;
 
 /// Closing speed in m/s below which two contacts soon after each other are one lasting contact.
 pub const SLOW: f64 = 5e-3;
+
+/// Gap in m up to which a ball leans on what it touched less than a [`CONTACT_TIME`] ago: what it crosses at [`SLOW`] in that
+/// time.
+pub const LEAN: f64 = SLOW * CONTACT_TIME;
+
+/// Two slow ones that touch again within this time in s do not press each other only: one of them is squeezed.
+const SQUEEZED: f64 = CONTACT_TIME / 8.0;
 
 /// How much deeper in m a contact may get that is let wait.
 const SLIGHT: f64 = 1e-13;
@@ -103,6 +111,16 @@ pub fn put_off(wait: f64, age: f64, overlap: impl Fn(f64) -> (f64, f64)) -> f64 
 }
 
 impl Cluster {
+    /// Whether what met is squeezed: a light ball between a heavy one that presses and a cushion would rattle in a gap of
+    /// some nanometres. All that leans on each other is then to be gathered, and settles without a rebound.
+    #[must_use]
+    pub fn is_squeezed(&self, blow: Blow, ages: impl Fn(usize, Other) -> f64) -> bool {
+        self.contacts.first().is_some_and(|contact| {
+            let age = ages(self.members[contact.first].ball, self.other(contact));
+            blow == Blow::Impact && age < SQUEEZED && self.closing(contact) < SLOW
+        })
+    }
+
     /// Velocities and labels of motion after everything that touches has met; the states before are kept in
     /// [`Cluster::before`]. `ages` tells of each contact how many seconds ago the same two touched last, infinity if never.
     /// The first contact is what met, if anything did: a stroke pushes what is frozen to the ball.
@@ -117,6 +135,11 @@ impl Cluster {
         self.before
             .extend(self.members.iter().map(|member| member.state));
         self.lasting.clear();
+        let rebound = if self.is_squeezed(blow, &ages) {
+            0.0
+        } else {
+            1.0
+        };
         for index in 0..self.contacts.len() {
             let contact = self.contacts[index];
             let closing = self.closing(&contact);
@@ -124,7 +147,7 @@ impl Cluster {
             let again = closing < SLOW && age < CONTACT_TIME;
             if again && closing > 0.0 {
                 // Unless the caller has had enough of its bounces.
-                self.contacts[index].restitution.get_or_insert(1.0);
+                self.contacts[index].restitution.get_or_insert(rebound);
             }
             // What meets without closing is pressed together.
             let pressed = index == 0 && closing <= STILL;

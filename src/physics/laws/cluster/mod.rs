@@ -6,9 +6,9 @@ mod lasting;
 mod smith_2012;
 mod touching;
 
-pub use lasting::{CONTACT_TIME, Other, SLOW, Touched, put_off};
+pub use lasting::{CONTACT_TIME, LEAN, Other, SLOW, Touched, put_off};
 pub use smith_2012::{Cluster, ROUNDS};
-pub use touching::{DEEP, reach_of, touches};
+pub use touching::{DEEP, leans, reach_of, touches};
 
 use glam::DVec3;
 

@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3};
 use crate::physics::ball::{Ball, State};
 use crate::physics::laws::Laws;
 use crate::physics::laws::ball_ball::PairContact;
-use crate::physics::laws::cluster::{Against, Cluster, Member, TOUCH, Touching};
+use crate::physics::laws::cluster::{Against, Cluster, LEAN, Member, TOUCH, Touching};
 use crate::physics::table::{Cushion, Nose, Table};
 
 /// Overlap in m at an impact that is beyond rounding.
@@ -92,12 +92,22 @@ pub fn reach_of(table: &Table, body: &Ball, state: &State) -> f64 {
 #[must_use]
 pub fn touches(cushion: &Cushion, point: DVec2, reach: f64) -> bool {
     let (distance, _) = cushion.nearest(point);
-    let beside = match cushion {
+    is_beside(cushion, point) && distance <= reach + TOUCH && distance > reach - DEEP
+}
+
+/// Whether such a ball does not touch a cushion, but leans on it if it did touch it lately.
+#[must_use]
+pub fn leans(cushion: &Cushion, point: DVec2, reach: f64) -> bool {
+    let (distance, _) = cushion.nearest(point);
+    is_beside(cushion, point) && distance > reach + TOUCH && distance <= reach + LEAN
+}
+
+fn is_beside(cushion: &Cushion, point: DVec2) -> bool {
+    match cushion {
         Cushion::Line(line) => {
             let along = line.to - line.from;
             (0.0..=along.length_squared()).contains(&(point - line.from).dot(along))
         }
         Cushion::Arc(_) => true,
-    };
-    beside && distance <= reach + TOUCH && distance > reach - DEEP
+    }
 }
