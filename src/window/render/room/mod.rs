@@ -10,7 +10,7 @@ pub(in crate::window::render) use walls::seen_towards;
 use bevy::anti_alias::smaa::{Smaa, SmaaPreset};
 use bevy::camera::{Exposure, Hdr};
 use bevy::core_pipeline::tonemapping::Tonemapping;
-use bevy::light::DirectionalLightShadowMap;
+use bevy::light::{DirectionalLightShadowMap, PointLightShadowMap};
 use bevy::light::cluster::{ClusterConfig, GlobalClusterSettings};
 use bevy::pbr::{ScreenSpaceAmbientOcclusion, ScreenSpaceAmbientOcclusionQualityLevel};
 use bevy::post_process::bloom::Bloom;
@@ -35,6 +35,8 @@ pub(super) fn plugin(app: &mut App) {
         .insert_resource(DirectionalLightShadowMap {
             size: quality.shadow_map(),
         })
+        // No lamp of ours shines all around; Bevy would keep six large faces for it.
+        .insert_resource(PointLightShadowMap { size: 16 })
         .add_observer(equip_camera)
         .add_systems(
             Startup,
