@@ -5,6 +5,7 @@
 //! | room | what it holds |
 //! |---|---|
 //! | [`physics`] | pure laws, tables, scenes, records: f64, SI, no App |
+//! | [`kept`] | files that a player keeps: whole or not at all |
 //! | [`sim`] | the table as a Bevy world, headless: components, messages, the clock, the solvers as ordered systems |
 //! | [`scenarios`] | scene files and the library of scenes |
 //! | [`report`] | what is told about a run: record files, pictures |
@@ -14,6 +15,7 @@
 
 pub mod cli;
 pub mod game;
+pub mod kept;
 pub mod physics;
 pub mod report;
 pub mod scenarios;

@@ -1,17 +1,15 @@
 //! The folder of saved matches.
 //!
-//! A save is written beside, synced, and then renamed over the old one: whatever happens, there is a whole file under the
-//! name, the old or the new. A file that is damaged, or that a newer program wrote, is never replaced: it is renamed aside
-//! first.
+//! A file that is damaged, or that a newer program wrote, is never replaced: it is put aside first.
 
-use std::fs::{self, File};
-use std::io::{self, Read, Write};
+use std::io;
 use std::path::{Path, PathBuf};
 
 use thiserror::Error;
 
 use crate::game::matches::Match;
 use crate::game::matches::saved::{self, SavedError};
+use crate::kept::{self, BadName, Shelf, Unread};
 
 /// The name of the match that is saved by itself after every shot.
 pub const AUTOSAVE: &str = "autosave";
@@ -21,9 +19,6 @@ const EXTENSION: &str = "masse";
 
 /// Largest file that is read, bytes.
 const LARGEST: u64 = 1 << 28;
-
-/// Most files that are put aside under one name.
-const MOST_ASIDE: u32 = 10_000;
 
 /// Why a match is not saved.
 #[derive(Debug, Error)]
@@ -45,13 +40,8 @@ pub enum StoreError {
         source: serde_json::Error,
     },
     /// A name that cannot be that of a file everywhere.
-    #[error(
-        "name: `{name}` cannot name a saved match: use letters, digits, spaces, `-` and `_`, at most 100"
-    )]
-    Name {
-        /// The name.
-        name: String,
-    },
+    #[error("name: {0}")]
+    Name(#[from] BadName),
 }
 
 /// A match that was saved.
@@ -65,30 +55,25 @@ pub struct Saved {
 
 /// A folder of saved matches.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Store {
-    folder: PathBuf,
-}
+pub struct Store(Shelf);
 
 impl Store {
     /// Where this platform keeps the data of programs; `None` if it has no such place.
     #[must_use]
     pub fn of_platform() -> Option<Self> {
-        let folders = directories::ProjectDirs::from("", "", "masse")?;
-        Some(Self::in_folder(folders.data_dir().join("matches")))
+        Shelf::of_platform("matches", EXTENSION).map(Self)
     }
 
     /// In this folder; it need not be there yet.
     #[must_use]
     pub fn in_folder(folder: impl Into<PathBuf>) -> Self {
-        Self {
-            folder: folder.into(),
-        }
+        Self(Shelf::in_folder(folder, EXTENSION))
     }
 
     /// The folder.
     #[must_use]
     pub fn folder(&self) -> &Path {
-        &self.folder
+        self.0.folder()
     }
 
     /// The file of the match with this name.
@@ -96,13 +81,7 @@ impl Store {
     /// # Errors
     /// [`StoreError::Name`] if that cannot be the name of a file everywhere.
     pub fn path(&self, name: &str) -> Result<PathBuf, StoreError> {
-        let allowed = |letter: char| letter.is_alphanumeric() || " -_".contains(letter);
-        let short = (1..=100).contains(&name.chars().count());
-        if !short || !name.chars().all(allowed) || name.trim() != name {
-            let name = name.to_owned();
-            return Err(StoreError::Name { name });
-        }
-        Ok(self.folder.join(format!("{name}.{EXTENSION}")))
+        Ok(self.0.path(name)?)
     }
 
     /// Saves a match under a name.
@@ -116,17 +95,8 @@ impl Store {
             let file = file.clone();
             StoreError::Numbers { file, source }
         })?;
-        let write = |source| {
-            let file = file.clone();
-            StoreError::Write { file, source }
-        };
-        fs::create_dir_all(&self.folder).map_err(write)?;
         let put_aside = self.put_aside(name, &path)?;
-        let mut beside = tempfile::NamedTempFile::new_in(&self.folder).map_err(write)?;
-        beside.write_all(text.as_bytes()).map_err(write)?;
-        beside.as_file().sync_all().map_err(write)?;
-        beside.persist(&path).map_err(|error| write(error.error))?;
-        sync_folder(&self.folder);
+        kept::replace(&path, &text).map_err(|source| StoreError::Write { file, source })?;
         Ok(Saved { path, put_aside })
     }
 
@@ -155,18 +125,9 @@ impl Store {
             SavedError::Newer { .. } => "newer",
             _ => "damaged",
         };
-        let free = (1..MOST_ASIDE)
-            .map(|number| {
-                self.folder
-                    .join(format!("{name} {kind} {number}.{EXTENSION}"))
-            })
-            .find(|aside| !aside.exists());
-        let failed = |source| {
-            let file = file.clone();
-            StoreError::Write { file, source }
-        };
-        let aside = free.ok_or_else(|| failed(io::ErrorKind::AlreadyExists.into()))?;
-        fs::rename(path, &aside).map_err(failed)?;
+        let named = |number| self.0.file_name(&format!("{name} {kind} {number}"));
+        let aside =
+            kept::put_aside(path, named).map_err(|source| StoreError::Write { file, source })?;
         Ok(Some((aside, why)))
     }
 
@@ -175,21 +136,13 @@ impl Store {
     /// # Errors
     /// [`SavedError`] with the file, the field and the value. The file stays as it is.
     pub fn load(&self, name: &str) -> Result<Match, SavedError> {
-        let path = self.folder.join(format!("{name}.{EXTENSION}"));
-        load(&path)
+        load(&self.folder().join(self.0.file_name(name)))
     }
 
     /// The names of what is saved here, in order.
     #[must_use]
     pub fn names(&self) -> Vec<String> {
-        let entries = fs::read_dir(&self.folder).into_iter().flatten().flatten();
-        let mut names: Vec<String> = entries
-            .map(|entry| entry.path())
-            .filter(|path| path.extension().is_some_and(|end| end == EXTENSION))
-            .filter_map(|path| Some(path.file_stem()?.to_str()?.to_owned()))
-            .collect();
-        names.sort();
-        names
+        self.0.names()
     }
 }
 
@@ -202,27 +155,12 @@ pub fn load(path: &Path) -> Result<Match, SavedError> {
 }
 
 fn text_of(path: &Path) -> Result<String, SavedError> {
-    let file = path.display().to_string();
-    let mut bytes = Vec::new();
-    File::open(path)
-        .and_then(|opened| opened.take(LARGEST + 1).read_to_end(&mut bytes))
-        .map_err(|source| SavedError::Read {
-            file: file.clone(),
-            source,
-        })?;
-    if bytes.len() as u64 > LARGEST {
-        let most = LARGEST;
-        return Err(SavedError::TooLarge { file, most });
-    }
-    String::from_utf8(bytes).map_err(|error| SavedError::NotText {
-        file,
-        byte: error.utf8_error().valid_up_to(),
+    kept::read(path, LARGEST).map_err(|why| {
+        let file = path.display().to_string();
+        match why {
+            Unread::System(source) => SavedError::Read { file, source },
+            Unread::TooLong(most) => SavedError::TooLarge { file, most },
+            Unread::NotText(byte) => SavedError::NotText { file, byte },
+        }
     })
-}
-
-/// Makes a rename last. Not every platform can sync a folder; the file itself is synced in any case.
-fn sync_folder(folder: &Path) {
-    if let Ok(opened) = File::open(folder) {
-        let _ = opened.sync_all();
-    }
 }

@@ -1,11 +1,9 @@
 //! The file of the settings: RON, with the number of its form in it.
 //!
 //! Nothing that a person may have written is ever overwritten unread: a file that is no good, or newer than this program,
-//! is renamed and stays. Writing goes to a file beside, which then takes the place of the old one, so that a crash leaves
-//! either the old settings or the new.
+//! is renamed and stays.
 
-use std::fs;
-use std::io::{self, Write};
+use std::io;
 use std::path::{Path, PathBuf};
 
 use serde::Deserialize;
@@ -13,6 +11,7 @@ use thiserror::Error;
 
 use super::Settings;
 use crate::game::volume::SoundKind;
+use crate::kept::{self, Unread};
 
 /// The form of the file that this program writes.
 pub const VERSION: u32 = 1;
@@ -23,15 +22,9 @@ const LONGEST: u64 = 1 << 20;
 /// What is wrong with a file of settings.
 #[derive(Debug, Error)]
 pub enum SettingsError {
-    /// It cannot be read.
-    #[error("{0}")]
-    Read(#[from] io::Error),
-    /// It is too long for settings.
-    #[error("{0} bytes are too many for settings")]
-    TooLong(u64),
-    /// It is no text.
-    #[error("it is not text: byte {0} is no UTF-8")]
-    NotText(usize),
+    /// It cannot be read, or is no text.
+    #[error(transparent)]
+    Read(#[from] Unread),
     /// It is no RON, or has a field or a value that is unknown.
     #[error("{0}")]
     Syntax(ron::error::SpannedError),
@@ -128,32 +121,17 @@ pub fn load(path: &Path) -> (Settings, Option<Damage>) {
 }
 
 fn read(path: &Path) -> Result<Option<Settings>, SettingsError> {
-    let known = match fs::metadata(path) {
-        Ok(known) => known,
-        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(None),
-        Err(error) => return Err(error.into()),
-    };
-    if known.len() > LONGEST {
-        return Err(SettingsError::TooLong(known.len()));
+    match kept::read(path, LONGEST) {
+        Ok(text) => parse(&text).map(Some),
+        Err(Unread::System(error)) if error.kind() == io::ErrorKind::NotFound => Ok(None),
+        Err(why) => Err(why.into()),
     }
-    let bytes = fs::read(path)?;
-    let text =
-        std::str::from_utf8(&bytes).map_err(|error| SettingsError::NotText(error.valid_up_to()))?;
-    parse(text).map(Some)
 }
 
 /// Renames a file to a name that nothing has yet.
 fn put_aside(path: &Path) -> io::Result<PathBuf> {
-    for attempt in 1..1000 {
-        let mut name = path.file_name().unwrap_or_default().to_owned();
-        name.push(format!(".damaged-{attempt}"));
-        let aside = path.with_file_name(name);
-        if fs::symlink_metadata(&aside).is_err() {
-            fs::rename(path, &aside)?;
-            return Ok(aside);
-        }
-    }
-    Err(io::Error::other("too many damaged files lie there already"))
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    kept::put_aside(path, |number| format!("{name}.damaged-{number}"))
 }
 
 /// Writes the settings beside the file and puts them in its place.
@@ -161,16 +139,9 @@ fn put_aside(path: &Path) -> io::Result<PathBuf> {
 /// # Errors
 /// [`io::Error`] if the folder cannot be made or written to. The old file is then as it was.
 pub fn save(path: &Path, settings: &Settings) -> io::Result<()> {
-    let folder = path.parent().unwrap_or(Path::new("."));
-    fs::create_dir_all(folder)?;
     let text = ron::ser::to_string_pretty(settings, ron::ser::PrettyConfig::default())
         .map_err(io::Error::other)?;
-    let mut aside = tempfile::NamedTempFile::new_in(folder)?;
-    aside.write_all(text.as_bytes())?;
-    aside.write_all(b"\n")?;
-    aside.as_file().sync_all()?;
-    aside.persist(path).map_err(|error| error.error)?;
-    Ok(())
+    kept::replace(path, &format!("{text}\n"))
 }
 
 /// Where this platform keeps the settings of a program; none if it does not say.

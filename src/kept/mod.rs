@@ -1,0 +1,123 @@
+//! Files that a player keeps: scenes, matches, settings.
+//!
+//! Whatever happens, there is a whole file under a name, the old or the new; and what cannot be read is moved aside, never
+//! overwritten.
+
+mod shelf;
+
+pub use shelf::{BadName, LONGEST_NAME, Shelf};
+
+use std::fs::{self, File};
+use std::io::{self, Read, Write};
+use std::path::{Path, PathBuf};
+
+use thiserror::Error;
+
+/// Most files that are put aside under one name.
+const MOST_ASIDE: u32 = 10_000;
+
+/// Why a text cannot be read.
+#[derive(Debug, Error)]
+pub enum Unread {
+    /// The system does not let us, or there is none.
+    #[error("cannot be read: {0}")]
+    System(#[from] io::Error),
+    /// It is longer than anything that was written here.
+    #[error("larger than {0} bytes")]
+    TooLong(u64),
+    /// It is no text.
+    #[error("byte {0} is not UTF-8 text")]
+    NotText(usize),
+}
+
+/// Reads a text of at most so many bytes.
+///
+/// # Errors
+/// [`Unread`] says why not.
+pub fn read(path: &Path, longest: u64) -> Result<String, Unread> {
+    let mut bytes = Vec::new();
+    File::open(path)?
+        .take(longest + 1)
+        .read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > longest {
+        return Err(Unread::TooLong(longest));
+    }
+    String::from_utf8(bytes).map_err(|error| Unread::NotText(error.utf8_error().valid_up_to()))
+}
+
+/// Writes a text beside a file, and puts it in the place of the file once it is safe on the disk. The folder is made if it
+/// is not there.
+///
+/// # Errors
+/// [`io::Error`] if it cannot be written; the file is then as it was.
+pub fn replace(path: &Path, text: &str) -> io::Result<()> {
+    let folder = folder_of(path);
+    fs::create_dir_all(folder)?;
+    let mut beside = tempfile::NamedTempFile::new_in(folder)?;
+    beside.write_all(text.as_bytes())?;
+    beside.as_file().sync_all()?;
+    beside.persist(path).map_err(|error| error.error)?;
+    // Makes the renaming last. Not every platform can sync a folder; the file itself is safe in any case.
+    if let Ok(opened) = File::open(folder) {
+        let _ = opened.sync_all();
+    }
+    Ok(())
+}
+
+/// Renames a file to the first of the numbered names that nothing has yet, and gives that.
+///
+/// # Errors
+/// [`io::Error`] if it cannot be renamed, or every name is taken.
+pub fn put_aside(path: &Path, name: impl Fn(u32) -> String) -> io::Result<PathBuf> {
+    let free = (1..MOST_ASIDE)
+        .map(|number| folder_of(path).join(name(number)))
+        .find(|aside| fs::symlink_metadata(aside).is_err());
+    let aside = free.ok_or_else(|| io::Error::other("too many files lie there already"))?;
+    fs::rename(path, &aside)?;
+    Ok(aside)
+}
+
+fn folder_of(path: &Path) -> &Path {
+    match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_is_replaced_as_a_whole_and_read_again_up_to_a_length() {
+        let folder = tempfile::tempdir().expect("a folder for a test");
+        let path = folder.path().join("new folder").join("file");
+        for text in ["first", "zweite Fassung", ""] {
+            replace(&path, text).expect("it is writable");
+            assert_eq!(read(&path, 15).expect("it is there"), text);
+        }
+        replace(&path, "0123456789").expect("it is writable");
+        assert!(matches!(read(&path, 9), Err(Unread::TooLong(9))));
+        fs::write(&path, [b'a', 0xff]).expect("it is writable");
+        assert!(matches!(read(&path, 9), Err(Unread::NotText(1))));
+        fs::remove_file(&path).expect("it is there");
+        assert!(matches!(read(&path, 9), Err(Unread::System(_))));
+        // Nothing else is left behind.
+        let left = fs::read_dir(folder_of(&path)).expect("it is there").count();
+        assert_eq!(left, 0);
+    }
+
+    #[test]
+    fn what_is_put_aside_takes_a_name_that_is_free() {
+        let folder = tempfile::tempdir().expect("a folder for a test");
+        let path = folder.path().join("file");
+        let mut seen = Vec::new();
+        for text in ["one", "two"] {
+            fs::write(&path, text).expect("it is writable");
+            let aside = put_aside(&path, |number| format!("aside {number}")).expect("a name");
+            assert_eq!(fs::read_to_string(&aside).expect("it is there"), text);
+            assert!(!path.exists() && !seen.contains(&aside));
+            seen.push(aside);
+        }
+    }
+}
