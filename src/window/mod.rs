@@ -171,14 +171,15 @@ impl PluginGroup for Windowed {
     }
 }
 
-/// Opens the window and plays until it is closed, starting from this scene or from a racked table. The files of the
+/// Opens the window and plays until it is closed, starting from this scene, by the name with which it was asked for, or from
+/// a racked table. The files of the
 /// source, if there is one, are followed: a change of them comes to the table between two shots. If the start is to be
 /// timed, from when the program began, its phases are printed and it ends when everything is there.
 ///
 /// # Errors
 /// [`NoDisplay`] if there is nothing to draw on or with.
 pub fn play(
-    scenario: Option<Scenario>,
+    scenario: Option<(&str, Scenario)>,
     source: Option<Source>,
     timed: Option<Instant>,
 ) -> Result<AppExit, NoDisplay> {
@@ -193,9 +194,9 @@ pub fn play(
     })?;
     app.insert_resource(OwnScenes::of_platform());
     let scene = match scenario {
-        Some(scenario) => {
+        Some((name, scenario)) => {
             let scene = scenario.scene.clone();
-            scenario_ui::begin(app.world_mut(), scenario);
+            scenario_ui::begin(app.world_mut(), name, scenario);
             scene
         }
         None => practice::opening(),
