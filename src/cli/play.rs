@@ -87,8 +87,8 @@ fn window(
         ) => Some(Source::Scene(scene.to_owned())),
         _ => None,
     };
-    let named = scenario.map(|scenario| (scene.unwrap_or_default(), scenario.clone()));
-    let exit = crate::window::play(named, source, timed).map_err(|error| error.to_string())?;
+    let exit =
+        crate::window::play(scenario.cloned(), source, timed).map_err(|error| error.to_string())?;
     Ok(match exit {
         bevy::app::AppExit::Success => ExitCode::SUCCESS,
         bevy::app::AppExit::Error(code) => ExitCode::from(code.get()),

@@ -17,6 +17,7 @@
 //! assert!(states[cue].position.x > 0.3);
 //! ```
 
+use bevy::ecs::schedule::SingleThreadedExecutor;
 use bevy::prelude::*;
 
 use crate::physics::ball::State;
@@ -32,6 +33,10 @@ use crate::sim::recorder::Recorder;
 pub fn headless_app(scene: &Scene) -> App {
     let mut app = App::new();
     app.add_plugins((MinimalPlugins, SimPlugin));
+    app.edit_schedule(FixedUpdate, |schedule| {
+        // The systems of a tick depend on each other: to wake threads for them takes longer than a small tick.
+        schedule.set_executor(SingleThreadedExecutor::new());
+    });
     app.finish();
     app.cleanup();
     lay_out(app.world_mut(), scene);

@@ -171,15 +171,14 @@ impl PluginGroup for Windowed {
     }
 }
 
-/// Opens the window and plays until it is closed, starting from this scene, by the name with which it was asked for, or from
-/// a racked table. The files of the
+/// Opens the window and plays until it is closed, starting from this scene or from a racked table. The files of the
 /// source, if there is one, are followed: a change of them comes to the table between two shots. If the start is to be
 /// timed, from when the program began, its phases are printed and it ends when everything is there.
 ///
 /// # Errors
 /// [`NoDisplay`] if there is nothing to draw on or with.
 pub fn play(
-    scenario: Option<(&str, Scenario)>,
+    scenario: Option<Scenario>,
     source: Option<Source>,
     timed: Option<Instant>,
 ) -> Result<AppExit, NoDisplay> {
@@ -194,9 +193,9 @@ pub fn play(
     })?;
     app.insert_resource(OwnScenes::of_platform());
     let scene = match scenario {
-        Some((name, scenario)) => {
+        Some(scenario) => {
             let scene = scenario.scene.clone();
-            scenario_ui::begin(app.world_mut(), name, scenario);
+            scenario_ui::begin(app.world_mut(), scenario);
             scene
         }
         None => practice::opening(),

@@ -154,9 +154,9 @@ pub(super) enum Ask {
     Forget,
 }
 
-/// A scenario is on the table from the beginning, under the name with which it was asked for, and is played at once.
-pub(in crate::window) fn begin(world: &mut World, name: &str, scenario: Scenario) {
-    let mut on = OnTable::new(name, scenario);
+/// A scenario is on the table from the beginning, and is played at once.
+pub(in crate::window) fn begin(world: &mut World, scenario: Scenario) {
+    let mut on = OnTable::new("", scenario);
     on.begin(Turn::Shown);
     let mut stage = world.resource_mut::<Stage>();
     stage.is_opened = true;

@@ -4,6 +4,8 @@ use masse::physics::ball::Ball;
 use masse::physics::exact::{Limits, solve};
 use masse::physics::laws::Laws;
 use masse::physics::scene::Solver;
+use masse::sim::stepped::crowd::Crowd;
+use masse::sim::stepping;
 
 use super::{SMOOTH, as_crowd, gas, play};
 
@@ -60,4 +62,35 @@ fn a_crowd_on_cloth_comes_to_rest_and_never_gains_energy() {
     }
     assert_eq!(last, 0.0);
     assert!(!app.world().resource::<masse::sim::clock::Clock>().moving);
+}
+
+/// A ball that rests is not written again and again, but one that was hit is, at once.
+#[test]
+fn components_are_the_states_of_the_crowd_also_of_balls_that_rested_for_long() {
+    let mut scene = gas(400, 0.3, 0.0, Laws::default(), Ball::POOL);
+    scene.balls[0].state.velocity = glam::DVec3::new(3.0, 0.0, 2.6);
+    scene.balls[399].state.angular_velocity.y = 60.0;
+    let start: Vec<_> = scene.balls.iter().map(|ball| ball.state.position).collect();
+    let mut app = stepping::headless_app(&scene);
+    let mut late = 0;
+    for tick in 0..300 {
+        stepping::step(&mut app, 1);
+        let states = stepping::states(&mut app);
+        let crowd = app.world().resource::<Crowd>();
+        for (number, state) in states.iter().enumerate() {
+            assert_eq!(Some(*state), crowd.state(number), "tick {tick}, {number}");
+            late += u32::from(tick == 100 && state.position == start[number]);
+        }
+    }
+    let end = stepping::states(&mut app);
+    let stayed = end
+        .iter()
+        .zip(&start)
+        .filter(|(state, start)| state.position == **start);
+    let stayed = stayed.count() as u32;
+    assert!(stayed > 100, "{stayed} were never hit");
+    assert!(
+        late > stayed,
+        "{late} lay still after 100 ticks, {stayed} for good"
+    );
 }

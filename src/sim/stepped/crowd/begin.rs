@@ -9,6 +9,7 @@ use std::time::Instant;
 
 use crate::sim::stepped::crowd::body::Body;
 use crate::sim::stepped::crowd::census::Pass;
+use crate::sim::stepped::crowd::pairs::Close;
 use crate::sim::stepped::crowd::search::{Scratch, Solver};
 use crate::sim::stepped::crowd::stripe::place;
 use crate::sim::stepped::crowd::turned::Kind;
@@ -42,11 +43,11 @@ impl<B: Body, const WIDE: bool> Solver<'_, B, WIDE> {
         let mut marked = 0;
         for begin in rows.clone().step_by(block) {
             let end = (begin + block).min(rows.end);
-            scratch.close.clear();
+            scratch.close.pairs.clear();
             for row in begin..end {
                 self.find_close(row, span, &mut scratch.close);
             }
-            self.begin_all(&scratch.close);
+            self.begin_all(&scratch.close.pairs);
             self.tally().time(Pass::Balls, &mut lap);
             let index = |row: usize| self.stripes[0].moving.first[(row - rows.start) * columns];
             let (after, ready) = (
@@ -56,10 +57,7 @@ impl<B: Body, const WIDE: bool> Solver<'_, B, WIDE> {
                     index(to.max(rows.start).min(end)),
                 ],
             );
-            while let Some(&at) = self.stripes[0].marked.get(marked).filter(|at| **at < after) {
-                self.begin_alone(place::of(self.base, at as usize));
-                marked += 1;
-            }
+            marked = self.begin_marked(marked, after);
             self.tally().time(Pass::Cushions, &mut lap);
             self.resolve(Some(ready));
             self.tally().time(Pass::Resolve, &mut lap);
@@ -67,7 +65,7 @@ impl<B: Body, const WIDE: bool> Solver<'_, B, WIDE> {
     }
 
     /// Lists the pairs of a row with itself and the rows after it, and with balls at rest, that are near enough to meet.
-    fn find_close(&self, row: usize, span: [usize; 2], close: &mut Vec<[u32; 2]>) {
+    fn find_close(&self, row: usize, span: [usize; 2], close: &mut Close) {
         let stripe = &self.stripes[0];
         let rows = &stripe.rows;
         let last = (row + span[1] + 1).min(rows.end);
@@ -85,7 +83,7 @@ impl<B: Body, const WIDE: bool> Solver<'_, B, WIDE> {
     /// Finds the pairs that meet across the edges of stripes.
     pub fn begin_across(&mut self, span: [usize; 2], scratch: &mut Scratch) {
         let mut close = std::mem::take(&mut scratch.close);
-        close.clear();
+        close.pairs.clear();
         let rows = self.stretch.cells.rows;
         for stripe in self.stripes.iter() {
             for row in stripe.rows.clone() {
@@ -104,15 +102,18 @@ impl<B: Body, const WIDE: bool> Solver<'_, B, WIDE> {
                 }
             }
         }
-        self.begin_all(&close);
+        self.begin_all(&close.pairs);
         scratch.close = close;
     }
 
     fn begin_all(&mut self, close: &[[u32; 2]]) {
         for some in close.chunks(AHEAD) {
             // They lie all over memory: asked for at once, they come at once.
-            let touch = |at: &u32| self.seen(*at).body.touch();
-            black_box(some.iter().flatten().map(touch).fold(0, |a, b| a ^ b));
+            let mut touched = 0;
+            for &[one, other] in some {
+                touched ^= self.touch(one) ^ self.touch(other);
+            }
+            black_box(touched);
             for &[one, other] in some {
                 self.begin(one, other);
             }
@@ -127,6 +128,24 @@ impl<B: Body, const WIDE: bool> Solver<'_, B, WIDE> {
             let turns = [a.turns, b.turns];
             self.wait(time, one, Kind::Ball(other), turns);
         }
+    }
+
+    /// Takes up the marked balls from one of them on that lie before a place; the first that does not.
+    fn begin_marked(&mut self, from: usize, before: u32) -> usize {
+        let marked = std::mem::take(&mut self.stripes[0].marked);
+        let lie = marked[from..].iter().take_while(|at| **at < before);
+        let to = from + lie.count();
+        let base = self.base;
+        let at = |index: &u32| place::of(base, *index as usize);
+        for some in marked[from..to].chunks(AHEAD) {
+            let touched = some.iter().map(|index| self.touch(at(index)));
+            black_box(touched.fold(0, |a, b| a ^ b));
+            for index in some {
+                self.begin_alone(at(index));
+            }
+        }
+        self.stripes[0].marked = marked;
+        to
     }
 
     /// Takes up what a marked ball at this place meets besides the balls near it, on the path it is on.

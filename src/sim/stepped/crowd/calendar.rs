@@ -3,7 +3,7 @@
 use crate::sim::stepped::crowd::turned::Contact;
 
 /// Stretches of a tick.
-const PAGES: usize = 128;
+const PAGES: usize = 64;
 
 /// What waits for its time.
 #[derive(Debug, Default)]

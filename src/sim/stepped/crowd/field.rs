@@ -16,9 +16,9 @@ use crate::sim::stepped::crowd::body::Body;
 use crate::sim::stepped::crowd::cells::Cells;
 use crate::sim::stepped::crowd::census::{Pass, Sums, Tally};
 use crate::sim::stepped::crowd::search::{Scratch, Solver};
-use crate::sim::stepped::crowd::share::share;
+use crate::sim::stepped::crowd::share::{light, share};
 use crate::sim::stepped::crowd::stretch::Stretch;
-use crate::sim::stepped::crowd::stripe::{Stripe, place};
+use crate::sim::stepped::crowd::stripe::Stripe;
 
 /// All balls of one kind.
 pub(super) struct Field<B> {
@@ -30,8 +30,11 @@ pub(super) struct Field<B> {
     pub slots: Vec<u32>,
     /// How many of the balls moved when they were last sorted.
     pub moving: usize,
-    /// Those of the others that have begun to move since.
+    /// Those of the others that have begun to move since, and for each of the others whether it has.
     pub woken: Vec<u32>,
+    pub stirred: Vec<bool>,
+    /// Whether the states have been told since.
+    pub told: bool,
     pub stripes: Vec<Stripe<B>>,
     scratch: Vec<Scratch>,
     pub cells: Cells,
@@ -72,6 +75,8 @@ impl<B: Body> Field<B> {
             numbers,
             slots,
             woken: Vec::new(),
+            stirred: Vec::new(),
+            told: false,
             stripes: Vec::new(),
             scratch: Vec::new(),
             cells: Cells::new(DVec2::ONE, DVec2::ONE),
@@ -105,8 +110,20 @@ impl<B: Body> Field<B> {
     /// The state of the ball of this number of the scene, if it is in play.
     #[inline]
     pub fn state(&self, ball: &Ball, number: usize) -> Option<State> {
-        let slot = *self.slots.get(number)?;
-        Some(self.bodies.get(slot as usize)?.state(ball, self.now))
+        Some(self.body(number)?.state(ball, self.now))
+    }
+
+    #[inline]
+    pub fn body(&self, number: usize) -> Option<&B> {
+        self.bodies.get(*self.slots.get(number)? as usize)
+    }
+
+    /// Whether the ball of this number rests since its state was told.
+    #[inline]
+    pub fn is_as_told(&self, number: usize) -> bool {
+        let slot = self.slots.get(number).map_or(0, |slot| *slot as usize);
+        let still = slot.checked_sub(self.moving);
+        self.told && still.is_some_and(|still| self.stirred.get(still) == Some(&false))
     }
 
     /// What is summed over balls. The blocks do not depend on threads.
@@ -118,7 +135,7 @@ impl<B: Body> Field<B> {
             }
         };
         let blocks = self.bodies[..self.moving].chunks(BLOCK).zip(&mut sums[1..]);
-        share(threads, blocks, |(bodies, sums)| {
+        share(light(threads, self.moving), blocks, |(bodies, sums)| {
             for body in bodies {
                 body.count(law, ball, self.now, sums);
             }
@@ -198,6 +215,7 @@ impl<B: Body> Field<B> {
     /// Sorts the records of all moving balls by cell.
     fn lay_records(&mut self, stretch: &Stretch, threads: usize) {
         let bodies = &self.bodies;
+        let threads = light(threads, self.moving);
         share(threads, self.stripes.iter_mut(), |stripe| {
             stripe.stage(stretch, bodies);
         });
@@ -265,47 +283,5 @@ impl<B: Body> Field<B> {
     pub fn failure(&self) -> Option<(u32, RootError)> {
         let failures = self.stripes.iter().filter_map(|stripe| stripe.failure);
         failures.min_by_key(|(number, _)| *number)
-    }
-
-    /// Puts the balls that were turned on their last paths.
-    fn commit(&mut self, threads: usize) {
-        let mut rest = &mut self.bodies[..];
-        let mut homes = Vec::with_capacity(self.stripes.len());
-        for stripe in &self.stripes {
-            let (home, others) = rest.split_at_mut(stripe.home.len());
-            homes.push(home);
-            rest = others;
-        }
-        share(
-            threads,
-            self.stripes.iter_mut().zip(homes),
-            |(stripe, home)| stripe.commit(home),
-        );
-        for stripe in &mut self.stripes {
-            for id in std::mem::take(&mut stripe.foreign) {
-                let (ball, body) = stripe.turned.at(id as usize);
-                self.bodies[ball.slot as usize] = body;
-                if ball.place & place::STILL != 0 {
-                    stripe.still.clear(place::index(ball.place));
-                    self.woken.push(ball.slot);
-                }
-            }
-        }
-    }
-
-    /// The friction of the coursework report comes after the tick.
-    fn rub(&mut self, stretch: &Stretch) {
-        let MotionLaw::Coursework(coursework) = &stretch.laws.motion else {
-            return;
-        };
-        let (law, ball, at) = (&stretch.laws.motion, &stretch.ball, stretch.end);
-        let rub = |body: &mut B| {
-            let state = coursework.rub(ball, &body.state(ball, at), at - stretch.start);
-            *body = B::start(law, ball, &law.classify(ball, state), at);
-        };
-        self.bodies[..self.moving].iter_mut().for_each(rub);
-        for slot in &self.woken {
-            rub(&mut self.bodies[*slot as usize]);
-        }
     }
 }

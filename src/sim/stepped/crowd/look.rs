@@ -33,23 +33,31 @@ impl<B: Body, const WIDE: bool> Solver<'_, B, WIDE> {
         let (corners, last) = self.frame.around(turn.bounds, self.near.wide, self.wander);
         let [left, top, right, bottom] = corners;
         let sought = Sought::new(turn.path, turn.after, self.near.wide, last);
+        let stripe = if WIDE {
+            self.stripe_of(top).unwrap_or(0)
+        } else {
+            0
+        };
         let Stripe {
+            index,
             moving,
             still,
             rows,
             ..
-        } = &self.stripes[0];
-        let is_here = rows.start <= top && top + FEW <= rows.end && bottom < top + FEW;
-        if WIDE || !is_here || !still.records.is_empty() {
+        } = &self.stripes[stripe];
+        let is_far = bottom >= top + FEW || rows.len() < FEW || WIDE && bottom >= rows.end;
+        if is_far || !still.records.is_empty() {
             return self.list_all(turn.ball, [top, bottom], left..right + 1, &sought, list);
         }
+        // At an edge of the stripe some rows more are looked at.
+        let begin = top.max(rows.start).min(rows.end - FEW);
         let columns = self.stretch.cells.columns;
-        let first = &moving.first[(top - rows.start) * columns..];
+        let first = &moving.first[(begin - rows.start) * columns..];
         let row = |k| [first[k * columns + left], first[k * columns + right + 1]];
-        let mine = place::of(self.base, 0);
+        let mine = place::of(*index, 0);
         let take = |k| list.push([turn.ball, mine | k]);
         // Most that a ball may meet lies in three rows.
-        if bottom + 1 < top + FEW {
+        if bottom.min(rows.end - 1) + 1 < begin + FEW {
             moving
                 .lanes
                 .meet_few(&[row(0), row(1), row(2)], &sought, take);
@@ -57,7 +65,7 @@ impl<B: Body, const WIDE: bool> Solver<'_, B, WIDE> {
             let ranges = [row(0), row(1), row(2), row(3)];
             moving.lanes.meet_few(&ranges, &sought, take);
         }
-        true
+        WIDE || rows.start <= top && bottom < rows.end
     }
 
     /// The same for any rows of all these stripes, and balls at rest.

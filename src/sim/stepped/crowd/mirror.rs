@@ -1,5 +1,6 @@
 //! The components of a crowd: taken up when somebody has written them, written after a tick.
 
+use std::hint::black_box;
 use std::time::Instant;
 
 use bevy::ecs::change_detection::Tick;
@@ -17,7 +18,7 @@ use crate::sim::playfield::Playfield;
 use crate::sim::stepped::crowd::body::Body;
 use crate::sim::stepped::crowd::census::Sums;
 use crate::sim::stepped::crowd::field::Field;
-use crate::sim::stepped::crowd::share::share;
+use crate::sim::stepped::crowd::share::{light, share};
 use crate::sim::stepped::crowd::{Census, Crowd, Kind, Pass, book};
 
 /// When the components of a crowd are written.
@@ -150,7 +151,7 @@ pub(in crate::sim::stepped) fn write(
     let wanted = crowd.mirror == Mirror::EveryTick || crowd.asked;
     let crowd = &mut *crowd;
     let law = &playfield.laws.motion;
-    let sums = match &crowd.field {
+    let sums = match &mut crowd.field {
         Some(Kind::Gliding(field)) if wanted => write_all(field, (law, &ball), threads, &mut balls),
         Some(Kind::Rubbed(field)) if wanted => write_all(field, (law, &ball), threads, &mut balls),
         Some(Kind::Gliding(field)) => field.sums(law, &ball, threads),
@@ -165,7 +166,7 @@ pub(in crate::sim::stepped) fn write(
     crowd.moves = sums.moves;
     if wanted || !sums.moves {
         if !wanted {
-            match &crowd.field {
+            match &mut crowd.field {
                 Some(Kind::Gliding(field)) => write_all(field, (law, &ball), threads, &mut balls),
                 Some(Kind::Rubbed(field)) => write_all(field, (law, &ball), threads, &mut balls),
                 None => return,
@@ -179,9 +180,11 @@ pub(in crate::sim::stepped) fn write(
 
 /// Balls written at a time by one thread.
 const CHUNK: usize = 16_384;
+/// Bodies asked for at a time.
+const AHEAD: usize = 32;
 
 fn write_all<B: Body>(
-    field: &Field<B>,
+    field: &mut Field<B>,
     (law, ball): (&MotionLaw, &Ball),
     threads: usize,
     balls: &mut Write,
@@ -190,6 +193,7 @@ fn write_all<B: Body>(
         return Sums::default();
     };
     let mut all = Sums::default();
+    let told = &*field;
     for (index, mut position, mut velocity, mut spin, mut motion) in tables {
         let mut spins = spin.as_deref_mut().map(|spin| spin.chunks_mut(CHUNK));
         let mut sums = vec![Sums::default(); index.len().div_ceil(CHUNK)];
@@ -200,10 +204,21 @@ fn write_all<B: Body>(
             .zip(motion.chunks_mut(CHUNK))
             .zip(&mut sums)
             .map(|chunk| (chunk, spins.as_mut().and_then(Iterator::next)));
-        share(threads, chunks, |(chunk, mut spin)| {
+        share(light(threads, index.len()), chunks, |(chunk, mut spin)| {
             let ((((index, position), velocity), motion), sums) = chunk;
             for k in 0..position.len() {
-                let Some(state) = field.state(ball, index[k].0) else {
+                if k % AHEAD == 0 {
+                    // The bodies lie in another order: asked for at once, they come at once.
+                    let some = index[k..].iter().take(AHEAD).map(|index| index.0);
+                    let some = some.filter(|number| !told.is_as_told(*number));
+                    let touched = some.filter_map(|number| told.body(number));
+                    black_box(touched.map(B::touch).fold(0, |a, b| a ^ b));
+                }
+                let number = index[k].0;
+                if told.is_as_told(number) {
+                    continue;
+                }
+                let Some(state) = told.state(ball, number) else {
                     continue;
                 };
                 sums.count(law, ball, &state);
@@ -219,5 +234,6 @@ fn write_all<B: Body>(
             all.add(sum);
         }
     }
+    field.told = true;
     all
 }

@@ -10,8 +10,11 @@ use crate::sim::stepped::crowd::stripe::{Stripe, place};
 
 /// Most stripes, unless there are more balls than they can hold.
 const STRIPES: usize = 8;
-/// Least rows of a stripe.
-const ROWS: usize = 24;
+/// A table is cut into a few stripes if each of them has this many rows.
+const ROWS: usize = 18;
+const FEW: usize = 4;
+/// It is cut into more if each has this many: what lies at the edges of stripes is left to one thread.
+const MANY: usize = 64;
 
 impl<B: Body> Field<B> {
     /// Sorts the balls by cell, those that move and those that do not.
@@ -61,6 +64,9 @@ impl<B: Body> Field<B> {
         }
         self.moving = starts[count] as usize;
         self.woken.clear();
+        self.stirred.clear();
+        self.stirred.resize(self.bodies.len() - self.moving, false);
+        self.told = false;
         (self.now, self.ticks, self.work) = (0.0, 0, 0);
         self.cut_stripes(&starts);
         self.sort_still();
@@ -70,7 +76,8 @@ impl<B: Body> Field<B> {
     fn cut_stripes(&mut self, first: &[u32]) {
         let (columns, rows) = (self.cells.columns, self.cells.rows);
         let enough = self.bodies.len() >> place::BITS;
-        let stripes = (rows / ROWS).clamp(1, STRIPES).max(enough + 1).min(rows);
+        let stripes = (rows / ROWS).min(FEW).max(rows / MANY).clamp(1, STRIPES);
+        let stripes = stripes.max(enough + 1).min(rows);
         self.stripes.clear();
         let (mut row, mut slot) = (0, 0);
         for index in 0..stripes {

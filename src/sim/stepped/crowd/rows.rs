@@ -9,7 +9,7 @@ use wide::f32x4;
 use crate::sim::stepped::crowd::cells::Record;
 
 /// Balls compared at a time.
-const LANES: usize = 4;
+pub(super) const LANES: usize = 4;
 
 /// Where balls begin the tick and how far they get in it, each number in a list of its own, so that several balls are
 /// compared at once. In f32: it only tells which pairs certainly do not meet. A ball that was turned has the place at which
@@ -26,11 +26,11 @@ pub(super) struct Lanes {
 
 /// Lanes of equal length, so that one comparison tells that all of them go so far.
 #[derive(Clone, Copy)]
-struct View<'a> {
-    middle: &'a [f32],
+pub(super) struct View<'a> {
+    pub middle: &'a [f32],
     x: &'a [f32],
     z: &'a [f32],
-    dx: &'a [f32],
+    pub dx: &'a [f32],
     dz: &'a [f32],
 }
 
@@ -47,7 +47,7 @@ impl View<'_> {
     /// Which of the balls from `at` on may meet one on a path: one bit for each. With `LATER` in the part of the tick that
     /// is left.
     #[inline(always)]
-    fn meet<const LATER: bool>(&self, at: usize, path: &[f32x4; 4], part: &Part) -> u32 {
+    pub fn meet<const LATER: bool>(&self, at: usize, path: &[f32x4; 4], part: &Part) -> u32 {
         // The square of the distance is gap + 2 slope t + square t², t from now on.
         let (mut x, mut z) = (some(self.x, at) - path[0], some(self.z, at) - path[1]);
         let (mut dx, mut dz) = (some(self.dx, at) - path[2], some(self.dz, at) - path[3]);
@@ -65,14 +65,8 @@ impl View<'_> {
         (gap.simd_le(zero) | (slope.simd_lt(zero) & (ends | turns))).to_bitmask()
     }
 
-    /// Whether there may be more to find in a range after the balls before `at`.
     #[inline(always)]
-    fn goes_on(&self, at: usize, end: u32, last: f32) -> bool {
-        at < end as usize && self.middle[at - 1] <= last
-    }
-
-    #[inline(always)]
-    fn path(&self, at: usize) -> [f32x4; 4] {
+    pub fn path(&self, at: usize) -> [f32x4; 4] {
         let splat = |list: &[f32]| f32x4::splat(list[at]);
         [splat(self.x), splat(self.z), splat(self.dx), splat(self.dz)]
     }
@@ -80,7 +74,7 @@ impl View<'_> {
 
 /// The part of the tick that is left, and the square of the distance that counts as near, each several times.
 #[derive(Clone, Copy, Debug)]
-struct Part {
+pub(super) struct Part {
     after: f32x4,
     left: f32x4,
     square: f32x4,
@@ -88,7 +82,7 @@ struct Part {
 
 impl Part {
     #[inline(always)]
-    fn new(after: f32, wide: f32) -> Self {
+    pub fn new(after: f32, wide: f32) -> Self {
         Self {
             after: f32x4::splat(after),
             left: f32x4::splat(1.0 - after),
@@ -154,7 +148,7 @@ impl Lanes {
     }
 
     #[inline(always)]
-    fn view(&self) -> View<'_> {
+    pub fn view(&self) -> View<'_> {
         let count = self.middle.len();
         View {
             middle: &self.middle[..count],
@@ -237,61 +231,5 @@ impl Lanes {
             let rest = rest.map(|k| [ranges[k][0] + LANES as u32, ranges[k][1]]);
             self.meet(rest, sought, take);
         }
-    }
-
-    /// Takes the pairs of a row that may meet: of the row with itself, if it is `OWN`, and with a row of `other`, of
-    /// which `start` tells the first ball not before a place along `x`. It may take more, but none twice of one row.
-    #[inline(always)]
-    pub fn pairs<const OWN: bool>(
-        &self,
-        [from, to]: [u32; 2],
-        (other, end, start): (&Self, u32, impl Fn(f32) -> u32),
-        near: Near,
-        mut take: impl FnMut(u32, u32),
-    ) {
-        let (view, others) = (self.view(), other.view());
-        let part = Part::new(0.0, near.wide);
-        for i in from..to {
-            let (at, path) = (i as usize, view.path(i as usize));
-            let middle = view.middle[at];
-            let last = middle + near.side + 0.5 * view.dx[at].abs();
-            let first = start(middle - near.edge);
-            // Nearly always the first few are all.
-            let mut bits = if first < end {
-                others.meet::<false>(first as usize, &path, &part) << LANES
-            } else {
-                0
-            };
-            if OWN {
-                bits |= view.meet::<false>(at + 1, &path, &part);
-            }
-            while bits != 0 {
-                let bit = bits.trailing_zeros();
-                let lane = bit % LANES as u32;
-                take(i, lane + if bit == lane { i + 1 } else { first });
-                bits &= bits - 1;
-            }
-            let few = LANES as u32;
-            if OWN && view.goes_on(at + 1 + LANES, to, last) {
-                self.rest(i, (self, [i + 1 + few, to]), last, near, &mut take);
-            }
-            if others.goes_on(first as usize + LANES, end, last) {
-                self.rest(i, (other, [first + few, end]), last, near, &mut take);
-            }
-        }
-    }
-
-    /// Takes the pairs of a ball with a range of a row.
-    #[inline(never)]
-    fn rest(
-        &self,
-        i: u32,
-        (other, range): (&Self, [u32; 2]),
-        last: f32,
-        near: Near,
-        take: &mut impl FnMut(u32, u32),
-    ) {
-        let sought = Sought::new(self.path(i as usize), 0.0, near.wide, last);
-        other.meet(std::iter::once(range), &sought, |k| take(i, k));
     }
 }

@@ -11,8 +11,10 @@ use crate::physics::roots::RootError;
 use crate::physics::table::Cushion;
 use crate::sim::stepped::crowd::body::{Body, track};
 use crate::sim::stepped::crowd::calendar::Calendar;
+use crate::sim::stepped::crowd::cells::TURNED;
 use crate::sim::stepped::crowd::census::Tally;
 use crate::sim::stepped::crowd::frame::{Frame, Wander};
+use crate::sim::stepped::crowd::pairs::Close;
 use crate::sim::stepped::crowd::rows::Near;
 use crate::sim::stepped::crowd::stretch::Stretch;
 use crate::sim::stepped::crowd::stripe::{Stripe, place};
@@ -22,7 +24,7 @@ use crate::sim::stepped::resolve::IMPACTS;
 /// Memory that is kept from tick to tick.
 #[derive(Debug, Default)]
 pub(super) struct Scratch {
-    pub close: Vec<[u32; 2]>,
+    pub close: Close,
     list: Vec<[u32; 2]>,
     queue: Calendar,
     held: Vec<Contact>,
@@ -145,6 +147,14 @@ impl<'a, B: Body, const WIDE: bool> Solver<'a, B, WIDE> {
         stripe.turned.seen(ball, self.bodies)
     }
 
+    /// Has the body of the ball at a place, as it began the tick, brought to the cache.
+    #[inline(always)]
+    pub fn touch(&self, at: u32) -> u64 {
+        let ball = self.stripe(at).sorted(at).balls[place::index(at)];
+        let body = self.bodies.get((ball & !TURNED) as usize);
+        body.map_or(0, B::touch)
+    }
+
     /// How often the ball at a place has been turned.
     #[inline(always)]
     pub fn turns(&self, at: u32) -> u16 {
@@ -181,12 +191,14 @@ impl<'a, B: Body, const WIDE: bool> Solver<'a, B, WIDE> {
     /// with these corners.
     #[inline(always)]
     pub fn alone(&mut self, ball: u32, [left, top, right, bottom]: [f32; 4]) {
-        let Seen {
-            body, from, turns, ..
-        } = self.seen(ball);
-        let change = body.change();
-        if B::BENDS && change <= self.stretch.end {
-            self.wait(change.max(from), ball, Kind::Change, [turns, 0]);
+        if B::BENDS {
+            let Seen {
+                body, from, turns, ..
+            } = self.seen(ball);
+            let change = body.change();
+            if change <= self.stretch.end {
+                self.wait(change.max(from), ball, Kind::Change, [turns, 0]);
+            }
         }
         let [x, z] = self.free;
         if left < -x || top < -z || right > x || bottom > z {

@@ -9,6 +9,7 @@ use crate::sim::stepped::crowd::body::Body;
 use crate::sim::stepped::crowd::cells::{Cells, Record, Sorted};
 use crate::sim::stepped::crowd::census::Tally;
 use crate::sim::stepped::crowd::frame::{Frame, Wander};
+use crate::sim::stepped::crowd::pairs::Close;
 use crate::sim::stepped::crowd::stretch::Stretch;
 use crate::sim::stepped::crowd::turned::{Contact, Turned};
 
@@ -156,7 +157,7 @@ impl<B: Body> Stripe<B> {
     }
 
     /// Lists the pairs of a row of moving balls here with itself and the row after it, if that is here, that may meet.
-    pub fn find_close_here(&self, stretch: &Stretch, row: usize, close: &mut Vec<[u32; 2]>) {
+    pub fn find_close_here(&self, stretch: &Stretch, row: usize, close: &mut Close) {
         let (row, columns) = (row - self.rows.start, stretch.cells.columns);
         let (mine, near) = (self.moving.row(row, columns), stretch.near());
         let next = (row + 1).min(self.rows.len() - 1);
@@ -171,9 +172,10 @@ impl<B: Body> Stripe<B> {
         );
         let start = |x| first[frame.column(x)];
         let one = place::of(self.index, 0);
-        let take = |i, k| close.push([one + i, one + k]);
+        let Close { pairs, found } = close;
+        let take = |i, k| pairs.push([one + i, one + k]);
         let lanes = &self.moving.lanes;
-        lanes.pairs::<true>(mine, (lanes, end, start), near, take);
+        lanes.pairs::<true>(mine, (lanes, end, start), near, found, take);
     }
 
     /// Lists the pairs of a row of moving balls here with another row, here or in another stripe, that may meet. With
@@ -183,7 +185,7 @@ impl<B: Body> Stripe<B> {
         stretch: &Stretch,
         row: usize,
         (other, other_row, still): (&Self, usize, bool),
-        close: &mut Vec<[u32; 2]>,
+        close: &mut Close,
     ) {
         let columns = stretch.cells.columns;
         let sorted = if still { &other.still } else { &other.moving };
@@ -200,11 +202,12 @@ impl<B: Body> Stripe<B> {
             sorted.first_of(other_row, columns),
         );
         let start = |x| first[frame.column(x)];
-        let take = |i, k| close.push([one + i, two + k]);
+        let Close { pairs, found } = close;
+        let take = |i, k| pairs.push([one + i, two + k]);
         let theirs = (&sorted.lanes, end, start);
         self.moving
             .lanes
-            .pairs::<false>(mine, theirs, stretch.near(), take);
+            .pairs::<false>(mine, theirs, stretch.near(), found, take);
     }
 
     /// Puts the balls that were turned and are at home here on their last paths.

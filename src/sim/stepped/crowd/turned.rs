@@ -88,18 +88,21 @@ pub(super) struct Home {
 /// nothing here depends on it by a branch.
 #[derive(Debug)]
 pub(super) struct Turned<B> {
+    count: u32,
+    /// At least so many.
     bodies: Vec<B>,
+    homes: Vec<Home>,
     /// The first is that of all balls that were not turned.
     marks: Vec<Mark>,
-    homes: Vec<Home>,
 }
 
 impl<B> Default for Turned<B> {
     fn default() -> Self {
         Self {
+            count: 0,
             bodies: Vec::new(),
-            marks: vec![Mark::default()],
             homes: Vec::new(),
+            marks: vec![Mark::default()],
         }
     }
 }
@@ -107,9 +110,7 @@ impl<B> Default for Turned<B> {
 impl<B: Copy> Turned<B> {
     /// Nobody has been turned in a stretch that begins at this time.
     pub fn clear(&mut self, start: f64) {
-        self.bodies.clear();
-        self.homes.clear();
-        self.marks.truncate(1);
+        self.count = 0;
         self.marks[0].from = start;
     }
 
@@ -117,10 +118,10 @@ impl<B: Copy> Turned<B> {
     #[inline(always)]
     pub fn seen<'a>(&'a self, ball: u32, began: &'a [B]) -> Seen<'a, B> {
         let (is_turned, number) = (ball >> 31, ball & !TURNED);
-        let lists = [began, &self.bodies];
+        let list = if is_turned == 0 { began } else { &self.bodies };
         let mark = &self.marks[(number & is_turned.wrapping_neg()) as usize];
         Seen {
-            body: &lists[is_turned as usize][(number - is_turned) as usize],
+            body: &list[(number - is_turned) as usize],
             from: mark.from,
             impacts: mark.impacts,
             turns: mark.turns,
@@ -147,31 +148,32 @@ impl<B: Copy> Turned<B> {
     /// Puts the ball at a place on another path; what it is known by from now on.
     #[inline(always)]
     pub fn turn(&mut self, ball: u32, place: u32, (body, from, impacts): (B, f64, u16)) -> u32 {
-        if ball & TURNED == 0 {
+        let is_new = ball & TURNED == 0;
+        self.count += u32::from(is_new);
+        let number = if is_new { self.count } else { ball & !TURNED };
+        let index = number as usize - 1;
+        if index == self.bodies.len() {
             self.bodies.push(body);
             self.homes.push(Home { place, slot: ball });
-            self.marks.push(Mark {
-                from,
-                impacts,
-                turns: 1,
-            });
-            return TURNED | self.bodies.len() as u32;
+            self.marks.push(Mark::default());
         }
-        let number = (ball & !TURNED) as usize;
-        self.bodies[number - 1] = body;
-        let mark = &mut self.marks[number];
-        let turns = mark.turns.wrapping_add(1);
-        *mark = Mark {
+        let turns = self.turns(ball).wrapping_add(1);
+        self.bodies[index] = body;
+        self.marks[index + 1] = Mark {
             from,
             impacts,
             turns,
         };
-        ball
+        let home = &mut self.homes[index];
+        let slot = if is_new { ball } else { home.slot };
+        *home = Home { place, slot };
+        TURNED | number
     }
 
     /// Where each is at home, and the path it is on.
     pub fn all(&self) -> impl Iterator<Item = (&Home, &B)> {
-        self.homes.iter().zip(&self.bodies)
+        let homes = &self.homes[..self.count as usize];
+        homes.iter().zip(&self.bodies)
     }
 
     /// The same of one of them, by its place in that order.
