@@ -37,6 +37,7 @@ fn crowd(count: u32, rate: f64, laws: Laws, ball: Ball, grid: Option<(u32, u32)>
         grid,
         locate: true,
         crowd: true,
+        ..Stepped::default()
     });
     scene
 }

@@ -1,6 +1,6 @@
 //! What a crowd costs and how well it is kept: `cargo run --release --no-default-features --example time_crowd -- 50000 200`.
 //!
-//! Arguments: balls, ticks, ticks a second, `gas` or `cloth`, threads, `mirror` or `bare`.
+//! Arguments: balls, ticks, ticks a second, `gas`, `single` (the same in f32), `cloth`, or `rest` (the same with one ball that moves), threads, `mirror` or `bare`.
 
 use std::time::Instant;
 
@@ -12,7 +12,8 @@ use masse::sim::stepped::crowd::{Census, Crowd, Mirror, Pass};
 use masse::sim::stepping;
 use rand::{RngExt, SeedableRng};
 
-fn scene(count: usize, rate: f64, cloth: bool) -> Scene {
+fn scene(count: usize, rate: f64, kind: &str) -> Scene {
+    let cloth = matches!(kind, "cloth" | "rest");
     let ball = Ball {
         spins: cloth,
         ..Ball::POOL
@@ -43,12 +44,16 @@ fn scene(count: usize, rate: f64, cloth: bool) -> Scene {
         let index = scene.place(&i.to_string(), ball, x, z);
         // Sums of twelve: close to Maxwell from the start.
         let mut normal = || 0.5 * (0..12).map(|_| signed()).sum::<f64>() * (0.5f64).sqrt();
-        scene.balls[index].state.velocity = glam::DVec3::new(normal(), 0.0, normal());
+        let velocity = glam::DVec3::new(normal(), 0.0, normal());
+        if kind != "rest" || i == 0 {
+            scene.balls[index].state.velocity = velocity;
+        }
     }
     scene.solver = Solver::Stepped(Stepped {
         tick: 1.0 / rate,
         grid: None,
         crowd: true,
+        single: kind == "single",
         ..Stepped::default()
     });
     scene
@@ -73,7 +78,7 @@ fn main() {
     let count: usize = get(1, "5750").parse().expect("a number of balls");
     let ticks: u32 = get(2, "200").parse().expect("a number of ticks");
     let rate: f64 = get(3, "120").parse().expect("ticks a second");
-    let scene = scene(count, rate, get(4, "gas") == "cloth");
+    let scene = scene(count, rate, &get(4, "gas"));
     let mut app = stepping::headless_app(&scene);
     drop(scene);
     {

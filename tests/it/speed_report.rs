@@ -36,12 +36,13 @@ fn a_small_report_says_what_is_true() {
         "exact to rounding | 2: pass",
         "best are",
         "single precision",
+        "all but one at rest, with cloth and spin\" costs",
     ] {
         assert!(text.contains(part), "{part}");
     }
     let folder = folder.join("here");
     let rows = sheet(&folder, "errors.csv");
-    assert_eq!(rows.len(), (1 + 3 * 5) + (1 + 3 * 5));
+    assert_eq!(rows.len(), (1 + 3 * 5) + (1 + 4 * 5));
     for row in &rows {
         assert!(number(row, "cost_s_per_s") > 0.0, "{row:?}");
         let [rms, most] = ["error_rms_m", "error_most_m"].map(|column| number(row, column));
@@ -51,6 +52,10 @@ fn a_small_report_says_what_is_true() {
             "exact" => assert!(rms == 0.0 && energy == 0.0, "{row:?}"),
             "stepped" | "stepped, as a crowd" => {
                 assert!(rms < 1e-9 && energy < 1e-12, "{row:?}");
+            }
+            // Off by rounding from the first contact on, and by as much as you like at the horizon.
+            "stepped, as a crowd in f32" => {
+                assert!(rms > 1e-9 && energy > 1e-12 && energy < 1e-5, "{row:?}");
             }
             _ => assert!(rms > 1e-4, "{row:?}"),
         }
@@ -76,23 +81,25 @@ fn a_small_report_says_what_is_true() {
 
     let energy = sheet(&folder, "energy.csv");
     let at_start = |row: &&HashMap<String, String>| number(row, "time_s") == 0.0;
-    assert!(energy.len() > 100 && energy.iter().filter(at_start).count() == 5);
-    assert!(
-        energy
-            .iter()
-            .all(|row| number(row, "energy_off").abs() < 1e-12)
-    );
-    let grid = sheet(&folder, "grid.csv");
-    assert_eq!(grid.len(), 3 * 12);
-    for row in &grid {
-        let cells = number(row, "cells_along_a_side");
-        let [metres, diameters] = ["cell_m", "cell_diameters"].map(|column| number(row, column));
-        assert!((metres / diameters - 0.05715).abs() < 1e-12);
-        // 100 balls that cover 0.4 of the floor.
-        assert!((metres * cells - 0.8008).abs() < 1e-3, "{row:?}");
-        assert!(number(row, "milliseconds_per_tick") > 0.0);
+    assert!(energy.len() > 100 && energy.iter().filter(at_start).count() == 7);
+    for row in &energy {
+        let most = if row["method"].ends_with("f32") {
+            1e-5
+        } else {
+            1e-12
+        };
+        assert!(number(row, "energy_off").abs() < most, "{row:?}");
     }
-    assert_eq!(sheet(&folder, "cost-per-ball.csv").len(), 6);
+    grid_is_told(&folder);
+    // Three solvers with cloth and without, a crowd in f32, and one at rest.
+    let costs = sheet(&folder, "cost-per-ball.csv");
+    assert_eq!(costs.len(), 8);
+    for part in ["in f32", "at rest"] {
+        assert!(
+            costs.iter().any(|row| row["what"].contains(part)),
+            "{part}: {costs:?}"
+        );
+    }
     assert!(
         sheet(&folder, "statistics.csv").is_empty(),
         "no break was asked for"
@@ -109,6 +116,20 @@ fn a_small_report_says_what_is_true() {
             picture.starts_with("<svg") && !picture.contains("NaN"),
             "{name}"
         );
+    }
+}
+
+/// The experiment with cells, for 100 balls.
+fn grid_is_told(folder: &Path) {
+    let grid = sheet(folder, "grid.csv");
+    assert_eq!(grid.len(), 3 * 12);
+    for row in &grid {
+        let cells = number(row, "cells_along_a_side");
+        let [metres, diameters] = ["cell_m", "cell_diameters"].map(|column| number(row, column));
+        assert!((metres / diameters - 0.05715).abs() < 1e-12);
+        // 100 balls that cover 0.4 of the floor.
+        assert!((metres * cells - 0.8008).abs() < 1e-3, "{row:?}");
+        assert!(number(row, "milliseconds_per_tick") > 0.0);
     }
 }
 

@@ -4,8 +4,9 @@ use std::collections::HashSet;
 
 use glam::DVec2;
 
+use crate::physics::laws::motion::MotionLaw;
 use crate::physics::scene::range::{Listed, check_parameters, in_plan, in_space, within};
-use crate::physics::scene::{Scene, SceneBall, SceneError, Solver};
+use crate::physics::scene::{Scene, SceneBall, SceneError, Solver, Stepped};
 use crate::physics::table::{Cushion, Ground};
 
 /// Overlap in m that still counts as touching: rounding of positions written in a file.
@@ -202,6 +203,14 @@ impl Scene {
             && !stepped.locate
         {
             return refuse("solver.locate", "false".to_owned(), "true");
+        }
+        if let Solver::Stepped(Stepped { single: true, .. }) = &self.solver {
+            let spins = self.balls.iter().any(|ball| ball.ball.spins);
+            if spins || self.laws.motion != MotionLaw::Frictionless {
+                let allowed =
+                    "false, but for balls that do not spin on a level table without cloth";
+                return refuse("solver.single", "true".to_owned(), allowed);
+            }
         }
         if !self.table.pockets.is_empty() {
             let count = self.table.pockets.len();

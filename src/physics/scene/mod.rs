@@ -53,6 +53,10 @@ pub struct Stepped {
     /// Whether the balls are worked on as a crowd: packed, on all threads, counted instead of recorded one by one. The
     /// balls are equal then, there are no pockets, and without a `grid` the cells are fitted to the balls.
     pub crowd: bool,
+    /// Whether a crowd keeps its balls in single precision: half the memory, less exact. Smooth balls without spin on a
+    /// level table without cloth only.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub single: bool,
 }
 
 impl Default for Stepped {
@@ -62,6 +66,7 @@ impl Default for Stepped {
             grid: Some((20, 20)),
             locate: true,
             crowd: false,
+            single: false,
         }
     }
 }

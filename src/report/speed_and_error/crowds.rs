@@ -4,6 +4,7 @@ use std::time::{Duration, Instant};
 
 use cpu_time::ProcessTime;
 
+use crate::physics::ball::State;
 use crate::physics::exact::Engine;
 use crate::physics::exact::Limits;
 use crate::physics::scene::{Scene, Solver, Stepped};
@@ -67,6 +68,21 @@ pub fn cost_of_crowd(effort: &Effort, balls: u32) -> Result<Vec<CrowdCost>, Stop
             "stepped, as a crowd",
             tick(effort, &Method::Crowd(RATE).prepare(&scene), ticks)?,
         );
+        if cloth {
+            let mut rest = Method::Crowd(RATE).prepare(&scene);
+            for ball in &mut rest.balls[1..] {
+                ball.state = State::at_rest(ball.state.position);
+            }
+            add(
+                "stepped, as a crowd, all but one at rest",
+                tick(effort, &rest, ticks)?,
+            );
+        } else {
+            add(
+                "stepped, as a crowd in f32",
+                tick(effort, &Method::Single(RATE).prepare(&scene), ticks)?,
+            );
+        }
         if balls <= 10_000 {
             let mut few = Method::Located(RATE).prepare(&scene);
             fit_grid(&mut few);

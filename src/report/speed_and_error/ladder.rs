@@ -61,6 +61,7 @@ impl Rung {
         methods.extend(general().map(Method::Located));
         if self.name == GAS {
             methods.extend(rates().map(Method::Crowd));
+            methods.extend(rates().map(Method::Single));
         }
         methods.extend(general().map(Method::Plain));
         let has_cloth = |scene: &Scene| scene.laws.motion != MotionLaw::Frictionless;

@@ -244,6 +244,8 @@ fn drifts(effort: &Effort, scenes: &[Scene]) -> Result<Vec<crowds::Drift>, Stopp
     let crowd = [
         Method::Crowd(60),
         Method::Crowd(240),
+        Method::Single(60),
+        Method::Single(240),
         Method::Plain(60),
         Method::Plain(240),
     ];

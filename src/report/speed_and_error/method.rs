@@ -15,6 +15,8 @@ pub enum Method {
     Located(u32),
     /// The same for balls packed as a crowd.
     Crowd(u32),
+    /// The same with places and velocities kept in f32. Only where nothing spins and nothing rubs.
+    Single(u32),
     /// A fixed tick, balls met where the tick leaves them.
     Plain(u32),
     /// The model of the coursework report, with its own friction and its own way to meet.
@@ -29,6 +31,7 @@ impl Method {
             Self::Exact => None,
             Self::Located(rate)
             | Self::Crowd(rate)
+            | Self::Single(rate)
             | Self::Plain(rate)
             | Self::Coursework(rate) => Some(rate),
         }
@@ -41,6 +44,7 @@ impl Method {
             Self::Exact => "exact",
             Self::Located(_) => "stepped",
             Self::Crowd(_) => "stepped, as a crowd",
+            Self::Single(_) => "stepped, as a crowd in f32",
             Self::Plain(_) => "stepped, contacts not located",
             Self::Coursework(_) => "coursework model",
         }
@@ -65,12 +69,13 @@ impl Method {
         scene.solver = Solver::Stepped(Stepped {
             tick: 1.0 / f64::from(rate),
             grid: match self {
-                Self::Crowd(_) => None,
+                Self::Crowd(_) | Self::Single(_) => None,
                 _ if scene.balls.len() > 1000 => Some((80, 80)),
                 _ => Stepped::default().grid,
             },
-            locate: matches!(self, Self::Located(_) | Self::Crowd(_)),
-            crowd: matches!(self, Self::Crowd(_)),
+            locate: matches!(self, Self::Located(_) | Self::Crowd(_) | Self::Single(_)),
+            crowd: matches!(self, Self::Crowd(_) | Self::Single(_)),
+            single: matches!(self, Self::Single(_)),
         });
         scene
     }

@@ -31,6 +31,7 @@ fn ink(method: Method) -> usize {
         Method::Exact => 3,
         Method::Located(_) => 2,
         Method::Crowd(_) => 5,
+        Method::Single(_) => 4,
         Method::Plain(_) => 6,
         Method::Coursework(_) => 1,
     }

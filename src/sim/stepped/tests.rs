@@ -16,6 +16,7 @@ fn stepped(scene: &mut Scene, tick: f64, grid: Option<(u32, u32)>) {
         grid,
         locate: true,
         crowd: false,
+        ..Stepped::default()
     });
 }
 
@@ -212,6 +213,7 @@ fn coursework_runs_with_and_without_location() {
             grid: Some((20, 20)),
             locate,
             crowd: false,
+            ..Stepped::default()
         });
         scene.time_limit = 30.0;
         let (record, _) = run_to_rest(&scene);

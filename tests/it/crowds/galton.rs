@@ -138,8 +138,8 @@ fn a_crowd_fills_the_bins_of_the_board() {
     let scene = scenario.scene;
     let board = PegBoard {
         rows: 14,
-        pitch: 0.12,
-        peg_radius: 0.017,
+        pitch: 0.115,
+        peg_radius: 0.019,
         room: 1.0,
         funnel: 0.5,
         mouth: 0.13,

@@ -5,6 +5,7 @@ mod galton;
 mod refusals;
 mod same_bits;
 mod scenes;
+mod single;
 mod tilted;
 mod with_cloth;
 
@@ -50,6 +51,7 @@ fn as_crowd(scene: &mut Scene, tick: f64, grid: Option<(u32, u32)>) {
         grid,
         locate: true,
         crowd: true,
+        ..Stepped::default()
     });
 }
 

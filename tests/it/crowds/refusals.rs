@@ -76,3 +76,45 @@ fn more_balls_than_fit_are_refused() {
         "{refusal}"
     );
 }
+
+/// A scene file is refused by field and value before its balls are laid out.
+#[test]
+fn a_file_that_cannot_be_played_is_refused_by_field() {
+    let with = |fill: &str, solver: &str| {
+        let text = format!(
+            "(table: Box(length: 10, width: 10), laws: Ideal, ball: (spins: false), fill: ({fill}), \
+             solver: Stepped({solver}))"
+        );
+        masse::scenarios::file::parse(&text, "mine")
+    };
+    with("count: 10", "crowd: true").expect("sound");
+    for (fill, solver, says) in [
+        ("count: 40000", "crowd: true", "fill.count: 40000"),
+        ("count: 90000000", "crowd: true", "fill.count: 90000000"),
+        ("count: 2000000000", "crowd: true", "fill.count: 2000000000"),
+        (
+            "count: 50, within: ((0, 0), (0.2, 0.2))",
+            "crowd: true",
+            "fill.count: 50",
+        ),
+        (
+            "count: 50, within: ((1, 0), (-1, 1))",
+            "crowd: true",
+            "fill.within (x): 1",
+        ),
+        ("count: 10", "tick: 0, crowd: true", "solver.tick: 0"),
+        ("count: 10", "tick: 1, crowd: true", "solver.tick: 1"),
+        ("count: 10", "grid: (0, 5), crowd: true", "solver.grid.0: 0"),
+        (
+            "count: 10",
+            "locate: false, crowd: true",
+            "solver.locate: false",
+        ),
+    ] {
+        let refusal = with(fill, solver).expect_err("a refusal").to_string();
+        assert!(
+            refusal.contains(says) && refusal.contains("mine"),
+            "{refusal}"
+        );
+    }
+}

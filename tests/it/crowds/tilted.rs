@@ -13,7 +13,7 @@ use masse::sim::stepping;
 
 use super::{SMOOTH, as_crowd, gas, play};
 
-fn tilted(x: f64, z: f64, restitution: f64) -> Laws {
+pub(super) fn tilted(x: f64, z: f64, restitution: f64) -> Laws {
     Laws {
         motion: MotionLaw::Inclined(Incline { x, z }),
         ball_ball: BallBallLaw::Frictionless(Frictionless { restitution }),
@@ -51,8 +51,8 @@ fn a_ball_follows_the_parabola_and_bounces_on_the_low_cushion() {
         let solver = Stepped {
             tick: 1.0 / rate,
             grid: None,
-            locate: true,
             crowd,
+            ..Stepped::default()
         };
         scene.solver = Solver::Stepped(solver);
         scene.check().expect("sound");

@@ -153,8 +153,10 @@ pub(in crate::sim::stepped) fn write(
     let law = &playfield.laws.motion;
     let sums = match &mut crowd.field {
         Some(Kind::Gliding(field)) if wanted => write_all(field, (law, &ball), threads, &mut balls),
+        Some(Kind::Single(field)) if wanted => write_all(field, (law, &ball), threads, &mut balls),
         Some(Kind::Rubbed(field)) if wanted => write_all(field, (law, &ball), threads, &mut balls),
         Some(Kind::Gliding(field)) => field.sums(law, &ball, threads),
+        Some(Kind::Single(field)) => field.sums(law, &ball, threads),
         Some(Kind::Rubbed(field)) => field.sums(law, &ball, threads),
         None => return,
     };
@@ -168,6 +170,7 @@ pub(in crate::sim::stepped) fn write(
         if !wanted {
             match &mut crowd.field {
                 Some(Kind::Gliding(field)) => write_all(field, (law, &ball), threads, &mut balls),
+                Some(Kind::Single(field)) => write_all(field, (law, &ball), threads, &mut balls),
                 Some(Kind::Rubbed(field)) => write_all(field, (law, &ball), threads, &mut balls),
                 None => return,
             };

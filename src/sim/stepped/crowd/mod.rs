@@ -31,6 +31,7 @@ mod rubbed;
 mod search;
 mod settle;
 mod share;
+mod single;
 mod stretch;
 mod stripe;
 #[cfg(test)]
@@ -62,6 +63,7 @@ use cells::Cells;
 use census::Tally;
 use field::Field;
 use rubbed::Rubbed;
+use single::Single;
 use stretch::Stretch;
 use walls::Walls;
 
@@ -106,9 +108,10 @@ impl Default for Crowd {
     }
 }
 
-/// With and without bends and spin.
+/// With and without bends and spin; those without also in single precision.
 enum Kind {
     Gliding(Field<Gliding>),
+    Single(Field<Single>),
     Rubbed(Field<Rubbed>),
 }
 
@@ -124,6 +127,7 @@ impl Crowd {
         let ball = self.ball.as_ref()?;
         match self.field.as_ref()? {
             Kind::Gliding(field) => field.state(ball, number),
+            Kind::Single(field) => field.state(ball, number),
             Kind::Rubbed(field) => field.state(ball, number),
         }
     }
@@ -141,10 +145,15 @@ impl Crowd {
         let (table, law) = (&playfield.table, &playfield.laws.motion);
         self.walls = Walls::new(table, (1.0 + REACH) * ball.radius);
         self.ball = Some(ball);
-        self.field = Some(if *law == MotionLaw::Frictionless && !ball.spins {
-            Kind::Gliding(Field::start(law, &ball, balls))
-        } else {
-            Kind::Rubbed(Field::start(law, &ball, balls))
+        let smooth = *law == MotionLaw::Frictionless && !ball.spins;
+        let single = matches!(
+            playfield.solver,
+            Solver::Stepped(Stepped { single: true, .. })
+        );
+        self.field = Some(match (smooth, single) {
+            (true, true) => Kind::Single(Field::start(law, &ball, balls)),
+            (true, false) => Kind::Gliding(Field::start(law, &ball, balls)),
+            (false, _) => Kind::Rubbed(Field::start(law, &ball, balls)),
         });
         self.moves = true;
     }
@@ -185,6 +194,7 @@ impl Crowd {
         census.times = Default::default();
         let tally = match field {
             Kind::Gliding(field) => run(field, &stretch, &tick, census)?,
+            Kind::Single(field) => run(field, &stretch, &tick, census)?,
             Kind::Rubbed(field) => run(field, &stretch, &tick, census)?,
         };
         self.behind = true;
