@@ -46,7 +46,7 @@ fn straight_lines_meet_when_the_contact_of_all_balls_says() {
 #[test]
 fn bent_paths_meet_when_the_contact_of_all_balls_says() {
     let mut next = numbers();
-    let (mut plain, mut met, reach) = (0, 0, 0.057);
+    let (mut plain, mut met, reach, tick) = ([0; 3], [0; 3], 0.057, 0.02);
     for k in 0..40_000 {
         let offset = 0.15 * DVec2::new(next(), next());
         let velocity = 3.0 * DVec2::new(next(), next());
@@ -58,19 +58,24 @@ fn bent_paths_meet_when_the_contact_of_all_balls_says() {
             acceleration: DVec3::new(acceleration.x, 0.0, acceleration.y),
         };
         let rest = track(DVec2::ZERO, DVec2::ZERO, DVec2::ZERO);
-        let expected = pair(&rest, &track(offset, velocity, acceleration), reach, 1.0);
+        let expected = pair(&rest, &track(offset, velocity, acceleration), reach, tick);
         let expected = expected.expect("finite");
-        met += u32::from(expected.is_some());
-        let Some(found) = bent(offset, velocity, acceleration, reach).filter(|time| *time < 1.0)
+        let are_apart = offset.length() > reach;
+        met[k % 3] += u32::from(are_apart && expected.is_some());
+        let Some(found) = bent(offset, velocity, acceleration, reach).filter(|time| *time < tick)
         else {
             continue;
         };
-        plain += 1;
+        plain[k % 3] += 1;
         let expected = expected.expect("what is plain is so");
         let off = (expected - found).abs();
         assert!(off < 1e-12 + 1e-11 * expected, "{expected} {found} {off:e}");
     }
-    assert!(met > 6000 && plain > met / 2, "{plain} of {met}");
+    // Cloth pulls at 2 m/s², and a tick is no longer: there nearly all is plain.
+    assert!(
+        met[0] > 300 && 10 * plain[0] > 9 * met[0],
+        "{plain:?} of {met:?}"
+    );
 }
 
 #[test]
