@@ -132,7 +132,11 @@ impl<'s> Audit<'s> {
 
     fn energy_of(&self, index: usize, state: &State) -> f64 {
         let ball = &self.scene.balls[index].ball;
-        ball.kinetic_energy(state) + self.scene.laws.motion.potential(ball, state)
+        // On a slope it counts from the lowest corner: from the middle there could be none of it to take a share of.
+        let (pull, table) = (self.scene.laws.motion.pull(), &self.scene.table);
+        let lowest = 0.5 * (pull.x.abs() * table.length + pull.z.abs() * table.width);
+        let potential = self.scene.laws.motion.potential(ball, state);
+        ball.kinetic_energy(state) + potential + ball.mass * lowest
     }
 
     fn state(&self, ball: usize, time: f64) -> State {
@@ -270,6 +274,12 @@ impl Watch for Audit<'_> {
         // The slate takes up what throws a ball down on it, and rubs.
         let flies = |one: &Participant| one.before.motion.flies() || one.after.motion.flies();
         self.others |= event.kind != EventKind::BallBall || event.participants().any(flies);
+        // A heavy one that a light one cannot move has no new path.
+        for one in event.participants() {
+            if self.paths[one.ball].time != event.time {
+                self.still += self.scene.balls[one.ball].ball.mass * 4.0 * STILL;
+            }
+        }
         self.check_energy(event);
         self.check_room(event.time);
     }

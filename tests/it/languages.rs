@@ -36,7 +36,7 @@ fn messages(text: &str) -> BTreeMap<String, BTreeSet<String>> {
     found
 }
 
-fn english() -> BTreeMap<String, BTreeSet<String>> {
+pub(crate) fn english() -> BTreeMap<String, BTreeSet<String>> {
     messages(LANGUAGES[0].texts)
 }
 

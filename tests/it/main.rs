@@ -16,6 +16,7 @@ mod exact;
 mod film;
 mod frames;
 mod fuzz;
+mod guides;
 mod hard;
 mod judge;
 mod judges;

@@ -6,6 +6,8 @@
 
 mod command_lines;
 mod kept;
+#[cfg(feature = "window")]
+mod languages;
 mod places;
 mod saved_cases;
 mod saved_tables;
