@@ -59,6 +59,8 @@ pub struct Audit<'s> {
     momentum: (DVec3, f64),
     /// Momentum of balls at this instant that is too little to tell from rest: such a ball is stopped.
     still: f64,
+    /// Whether a ball was struck at this instant.
+    struck: bool,
     /// Whether anything but two balls met at this instant.
     others: bool,
     /// Energy of the spins in J of balls that tipped at the last event; nothing if none did.
@@ -87,6 +89,7 @@ impl<'s> Audit<'s> {
             after: None,
             momentum: (DVec3::ZERO, 0.0),
             still: 0.0,
+            struck: false,
             others: false,
             tipped: None,
             worst: Worst::default(),
@@ -173,10 +176,7 @@ impl<'s> Audit<'s> {
             more += TIPPING * heaviest.fold(0.0, f64::max) + TURNING * spin;
         }
         self.tipped = tips;
-        if matches!(event.kind, EventKind::Strike { .. }) {
-            self.most_energy = now.max(self.most_energy);
-            self.energy = now;
-        }
+        self.struck |= matches!(event.kind, EventKind::Strike { .. });
         // All that meets at one instant is on its new path before the first event of it is told.
         let earlier = self.after.map_or(0.0, |(_, more)| more);
         self.after = Some((now, earlier + more));
@@ -238,7 +238,12 @@ impl<'s> Audit<'s> {
 
     /// Closes the books of an instant: energy has not risen, and if nothing but balls met, their momentum is what it was.
     fn end_instant(&mut self) {
-        if let Some((now, more)) = self.after.take() {
+        if std::mem::take(&mut self.struck) {
+            // A stroke is told before the path that it leads to: what it brought is known when the instant is over.
+            self.energy = self.energy_at(self.time);
+            self.most_energy = self.energy.max(self.most_energy);
+            self.after = None;
+        } else if let Some((now, more)) = self.after.take() {
             if self.most_energy > 0.0 {
                 let rise = (now - self.energy - more) / self.most_energy;
                 self.worst.energy = self.worst.energy.max(rise);

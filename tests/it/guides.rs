@@ -64,11 +64,19 @@ fn is_made(what: &str) -> bool {
 
 #[test]
 fn every_file_that_a_guide_names_is_there() {
-    let folders = ["src/", "tests/", "assets/", "docs/", "examples/", "scripts/"];
+    let folders = [
+        "src/",
+        "tests/",
+        "assets/",
+        "docs/",
+        "examples/",
+        "scripts/",
+    ];
     let mut missing = Vec::new();
     for (name, text) in guides() {
         for path in quoted(&text) {
-            let named = folders.iter().any(|folder| path.starts_with(folder)) && !path.contains(' ');
+            let named =
+                folders.iter().any(|folder| path.starts_with(folder)) && !path.contains(' ');
             // Where the reader makes a file its folder is there.
             let place = root().join(path);
             let place = if is_made(path) {
@@ -86,7 +94,9 @@ fn every_file_that_a_guide_names_is_there() {
 
 /// The file of a module of the crate, or of the module that has it as an item.
 fn module(path: &[&str]) -> Option<String> {
-    let place = path.iter().fold(root().join("src"), |at, part| at.join(part));
+    let place = path
+        .iter()
+        .fold(root().join("src"), |at, part| at.join(part));
     [place.with_extension("rs"), place.join("mod.rs")]
         .into_iter()
         .find_map(|file| std::fs::read_to_string(file).ok())

@@ -1,8 +1,13 @@
 //! What must hold in any scene, after every event, by either solver.
 
-use masse::physics::exact::{Engine, Limits};
+use masse::physics::ball::Ball;
+use masse::physics::cue::Shot;
+use masse::physics::exact::{Engine, Limits, Watch};
+use masse::physics::laws::Laws;
 use masse::physics::laws::cluster::DEEP;
+use masse::physics::record::{Event, EventKind, Participant, PathPiece};
 use masse::physics::scene::{Scene, Solver, Stepped};
+use masse::physics::table::Preset;
 use masse::report::audit::{Audit, Worst};
 use masse::sim::stepping;
 
@@ -75,4 +80,37 @@ pub fn stepped(scene: &Scene, tick: f64) -> Result<u64, String> {
     let seen = Audit::of(&scene, &record);
     judge(&seen, most).map_err(|what| format!("stepped: {what}"))?;
     Ok(seen.events)
+}
+
+/// It was blind once for whatever began with a stroke at a table at rest.
+#[test]
+fn the_audit_sees_energy_that_comes_from_nowhere_after_a_stroke() {
+    let mut scene = Scene::new(Preset::NineFoot.table(), Laws::default());
+    let cue = scene.place("cue", Ball::POOL, -0.5, 0.0);
+    scene.place("1", Ball::POOL, 0.5, 0.1);
+    let mut engine = Engine::new(&scene, Limits::default()).expect("a sound scene");
+    let mut audit = Audit::new(&scene);
+    engine
+        .strike(cue, &scene.cue, &Shot::default(), &mut audit)
+        .expect("a sound shot");
+    engine.advance(0.05, &mut audit).expect("nothing is met");
+    assert!(audit.worst().energy <= ENERGY, "{:?}", audit.worst());
+    let before = engine.state(cue);
+    let mut after = before;
+    after.velocity *= 2.0;
+    let piece = scene.laws.piece(&scene.table, &Ball::POOL, &after);
+    audit.piece(cue, &PathPiece { time: 0.05, piece });
+    let (from, to) = (before.motion, after.motion);
+    audit.event(&Event {
+        time: 0.05,
+        kind: EventKind::Motion { from, to },
+        first: Participant {
+            ball: cue,
+            before,
+            after,
+        },
+        second: None,
+        impulse: 0.0,
+    });
+    assert!(audit.worst().energy > 0.5, "{:?}", audit.worst());
 }
