@@ -194,6 +194,8 @@ fn what_a_guide_sends_its_reader_to_is_found() {
         ("src/scenarios/library.rs", "BUILT_IN"),
         ("src/scenarios/library.rs", "scene"),
         ("src/game/rules/mod.rs", "games"),
+        ("src/game/players/worth.rs", "to_go"),
+        ("tests/it/matches/random.rs", "conserved"),
         ("src/physics/laws/motion/mod.rs", "is_closed_form"),
         ("tests/it/properties/inputs.rs", "BallBallLaw"),
         (
