@@ -138,8 +138,12 @@ impl<'s> Audit<'s> {
         // On a slope it counts from the lowest corner: from the middle there could be none of it to take a share of.
         let (pull, table) = (self.scene.laws.motion.pull(), &self.scene.table);
         let lowest = 0.5 * (pull.x.abs() * table.length + pull.z.abs() * table.width);
-        let potential = self.scene.laws.motion.potential(ball, state);
-        ball.kinetic_energy(state) + potential + ball.mass * lowest
+        let mut potential = self.scene.laws.motion.potential(ball, state) + ball.mass * lowest;
+        if pull != DVec3::ZERO && !state.motion.in_play() {
+            // It is put to the middle of its pocket, which may lie higher: what falls in has lost all.
+            potential = 0.0;
+        }
+        ball.kinetic_energy(state) + potential
     }
 
     fn state(&self, ball: usize, time: f64) -> State {
