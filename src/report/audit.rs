@@ -135,9 +135,9 @@ impl<'s> Audit<'s> {
 
     fn energy_of(&self, index: usize, state: &State) -> f64 {
         let ball = &self.scene.balls[index].ball;
-        // On a slope it counts from the lowest corner: from the middle there could be none of it to take a share of.
+        // On a slope it counts from below the lowest pocket: from the middle there could be none of it to take a share of.
         let (pull, table) = (self.scene.laws.motion.pull(), &self.scene.table);
-        let lowest = 0.5 * (pull.x.abs() * table.length + pull.z.abs() * table.width);
+        let lowest = pull.x.abs() * table.length + pull.z.abs() * table.width;
         let mut potential = self.scene.laws.motion.potential(ball, state) + ball.mass * lowest;
         if pull != DVec3::ZERO && !state.motion.in_play() {
             // It is put to the middle of its pocket, which may lie higher: what falls in has lost all.
