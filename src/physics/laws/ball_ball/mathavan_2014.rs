@@ -9,6 +9,10 @@
 //! surface", Sports Eng. 17 (2014) 227. Followed to 1e-6 of the closing speed (see `rub`). Momentum goes into the
 //! table, so it is not kept; the speeds differ from [`Frictional`] by less than 0.004 m/s and the angles by less than 0.4°
 //! for rolling shots. Balls in flight have no cloth: there it is [`Frictional`].
+//!
+//! Where the friction between the balls times that of the cloth reaches 1, far beyond any real ball, the blow presses a ball
+//! to the cloth faster than it drives it off: it jams, and Coulomb's law has no solution (Painlevé 1895). The cloth then
+//! rubs with no more than leaves one.
 
 use glam::{DVec2, DVec3};
 use serde::{Deserialize, Serialize};
@@ -17,6 +21,9 @@ use crate::physics::ball::{Ball, State};
 use crate::physics::laws::ball_ball::{Friction, Frictional, PairContact, PairOutcome};
 use crate::physics::laws::rub::{Accuracy, Limit, Rub};
 use crate::physics::laws::{Check, Parameter};
+
+/// Largest product of the frictions of balls and cloth that is followed; at 1 the impact jams.
+const FREE: f64 = 0.9;
 
 /// Rough balls on a rough cloth.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -78,8 +85,10 @@ impl Mathavan2014 {
         let reduced = ball_1.mass * (ball_2.mass / total);
         // Inverse masses in units of the reduced mass.
         let (a, b) = (ball_2.mass / total, ball_1.mass / total);
+        let between = self.friction.coefficient(slip.length());
+        let sliding = self.sliding.min(FREE / between);
         let cloth = |beta| Limit {
-            friction: self.sliding,
+            friction: sliding,
             alpha: 0.0,
             beta,
         };
@@ -94,7 +103,7 @@ impl Mathavan2014 {
             normal: 1.0,
             limits: [
                 Limit {
-                    friction: self.friction.coefficient(slip.length()),
+                    friction: between,
                     alpha: 1.0,
                     beta: 0.0,
                 },
