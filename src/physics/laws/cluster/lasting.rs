@@ -31,6 +31,10 @@ const SQUEEZED: f64 = CONTACT_TIME / 8.0;
 /// How much deeper in m a contact may get that is let wait.
 const SLIGHT: f64 = 1e-13;
 
+/// Times at which it is looked how deep a contact gets that is let wait, each half the one before: a fast ball may be past the
+/// end of the nose, or past the other ball, at the last of them.
+const LOOKS: i32 = 7;
+
 /// Most times that contacts are made to part at one instant.
 const BEARINGS: usize = 64;
 
@@ -102,7 +106,10 @@ pub fn put_off(wait: f64, age: f64, overlap: impl Fn(f64) -> (f64, f64)) -> f64 
         return wait;
     }
     // Fast ones are deeper on the way than at the end of it.
-    let deeper = overlap(later).0 - overlap(0.0).0.max(0.0);
+    let deepest = (0..LOOKS)
+        .map(|halved| overlap(libm::ldexp(later, -halved)).0)
+        .fold(f64::NEG_INFINITY, f64::max);
+    let deeper = deepest - overlap(0.0).0.max(0.0);
     if overlap(wait).1 * CONTACT_TIME <= SLIGHT && deeper <= SLIGHT {
         later
     } else {
