@@ -6,7 +6,7 @@
 //! any number of threads.
 //!
 //! On a tilted table balls come to lie on cushions and on each other, and would bounce ever more often. There a contact
-//! that lasts loses nothing ([`lasting`]): what lies goes on trembling, by some centimetres a second under ten others.
+//! that lasts loses nothing: what lies goes on trembling, by some centimetres a second under ten others.
 //!
 //! A crowd tells nothing ball by ball: no messages of contacts and no record, only the numbers of its [`Census`]. Its
 //! balls are equal, stay on the slate and know no pockets. Everything else plays in the general solver.
