@@ -8,6 +8,7 @@ use crate::game::players::aiming;
 use crate::game::players::chance::Lane;
 use crate::game::players::idea::{Idea, Kind, Line, call_pot, call_safety};
 use crate::game::players::ideas::View;
+use crate::game::players::screen::level;
 use crate::game::players::sight::{Seen, angle, toward};
 use crate::game::players::thinking::Thinking;
 use crate::physics::cue::Shot;
@@ -168,11 +169,8 @@ impl Thinking {
     pub(super) fn screen_jump(&mut self, idea: &Idea, angle: f64, lane: Option<&Lane>) {
         for elevation in JUMP_ELEVATIONS {
             let raised = self.raised(&Shot {
-                heading: -angle,
                 elevation,
-                side: 0.0,
-                height: 0.0,
-                speed: 1.0,
+                ..level(angle)
             });
             for speed in JUMP_SPEEDS {
                 let mut shot = Shot { speed, ..raised };

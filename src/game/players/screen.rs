@@ -49,6 +49,17 @@ const CAROM_TIPS: [(f64, f64); 7] = [
 /// Speed of a plain stroke in m/s.
 const PLAIN: f64 = 1.8;
 
+/// A plain stroke along this angle in plan, rad, with a level cue.
+pub(super) fn level(angle: f64) -> Shot {
+    Shot {
+        heading: -angle,
+        elevation: 0.0,
+        side: 0.0,
+        height: 0.0,
+        speed: PLAIN,
+    }
+}
+
 /// What a rehearsal led to.
 #[derive(Clone, Debug)]
 pub(super) struct Outcome {
@@ -173,13 +184,7 @@ impl Thinking {
 
     fn screen_safety(&mut self, idea: &Idea, angle: f64) {
         let thinks = self.level.skills.safeties > 0;
-        let raised = self.raised(&Shot {
-            heading: -angle,
-            elevation: 0.0,
-            side: 0.0,
-            height: 0.0,
-            speed: PLAIN,
-        });
+        let raised = self.raised(&level(angle));
         if !thinks {
             if let Some(outcome) = self
                 .rehearse(&idea.call, &raised, false)
@@ -215,13 +220,7 @@ impl Thinking {
 
     /// What a push out is worth is what it leaves to the one who may choose.
     fn screen_push_out(&mut self, idea: &Idea, angle: f64) {
-        let raised = self.raised(&Shot {
-            heading: -angle,
-            elevation: 0.0,
-            side: 0.0,
-            height: 0.0,
-            speed: PLAIN,
-        });
+        let raised = self.raised(&level(angle));
         for speed in PUSH_SPEEDS {
             let shot = Shot { speed, ..raised };
             let outcome = self.rehearse(&idea.call, &shot, false);
@@ -323,11 +322,8 @@ impl Thinking {
     /// Tries directions around the idea and takes the middle of the widest range in which it works.
     fn search(&mut self, idea: &Idea, angle: f64, spread: f64) {
         let raised = self.raised(&Shot {
-            heading: -angle,
-            elevation: 0.0,
-            side: 0.0,
-            height: 0.0,
             speed: 1.0,
+            ..level(angle)
         });
         let kick = matches!(idea.kind, Kind::Kick);
         let speeds = if self.level.skills.samples > 0 { 3 } else { 1 };

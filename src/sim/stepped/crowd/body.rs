@@ -29,7 +29,10 @@ pub(super) trait Body: Copy + Send + Sync + 'static {
     fn velocity(&self, at: f64) -> DVec2;
 
     /// Acceleration in plan, m/s².
-    fn acceleration(&self) -> DVec2;
+    #[inline]
+    fn acceleration(&self) -> DVec2 {
+        DVec2::ZERO
+    }
 
     /// When the piece began, where a body knows it: when it last met something, on a slope.
     fn since(&self) -> f64 {
@@ -37,7 +40,10 @@ pub(super) trait Body: Copy + Send + Sync + 'static {
     }
 
     /// When the kind of motion changes.
-    fn change(&self) -> f64;
+    #[inline]
+    fn change(&self) -> f64 {
+        f64::INFINITY
+    }
 
     /// The whole state.
     fn state(&self, ball: &Ball, at: f64) -> State;
@@ -49,7 +55,10 @@ pub(super) trait Body: Copy + Send + Sync + 'static {
     }
 
     /// The state in which the piece ends.
-    fn end(&self, ball: &Ball) -> State;
+    #[inline]
+    fn end(&self, ball: &Ball) -> State {
+        self.state(ball, 0.0)
+    }
 
     /// The same ball on the same piece, on a clock that began at `at`.
     fn rebased(&self, ball: &Ball, at: f64) -> Self;
@@ -64,7 +73,10 @@ pub(super) trait Body: Copy + Send + Sync + 'static {
     fn translates(&self) -> bool;
 
     /// Whether nothing at all moves.
-    fn is_still(&self) -> bool;
+    #[inline]
+    fn is_still(&self) -> bool {
+        !self.translates()
+    }
 }
 
 /// The path of a ball seen from now. The heights of equal balls are equal.
@@ -122,16 +134,6 @@ impl Body for Gliding {
     }
 
     #[inline]
-    fn acceleration(&self) -> DVec2 {
-        DVec2::ZERO
-    }
-
-    #[inline]
-    fn change(&self) -> f64 {
-        f64::INFINITY
-    }
-
-    #[inline]
     fn state(&self, ball: &Ball, at: f64) -> State {
         State {
             position: space(self.position(at), ball.radius),
@@ -148,11 +150,6 @@ impl Body for Gliding {
     #[inline]
     fn count(&self, _: &MotionLaw, ball: &Ball, _: f64, sums: &mut Sums) {
         sums.count_gliding(ball, self.velocity);
-    }
-
-    #[inline]
-    fn end(&self, ball: &Ball) -> State {
-        self.state(ball, 0.0)
     }
 
     #[inline]
@@ -179,10 +176,5 @@ impl Body for Gliding {
     #[inline]
     fn translates(&self) -> bool {
         self.velocity != DVec2::ZERO
-    }
-
-    #[inline]
-    fn is_still(&self) -> bool {
-        !self.translates()
     }
 }

@@ -56,16 +56,6 @@ impl Body for Single {
     }
 
     #[inline]
-    fn acceleration(&self) -> DVec2 {
-        DVec2::ZERO
-    }
-
-    #[inline]
-    fn change(&self) -> f64 {
-        f64::INFINITY
-    }
-
-    #[inline]
     fn state(&self, ball: &Ball, at: f64) -> State {
         let (place, velocity) = (self.position(at), self.velocity(at));
         let state = State {
@@ -78,11 +68,6 @@ impl Body for Single {
     #[inline]
     fn count(&self, _: &MotionLaw, ball: &Ball, _: f64, sums: &mut Sums) {
         sums.count_gliding(ball, self.velocity.as_dvec2());
-    }
-
-    #[inline]
-    fn end(&self, ball: &Ball) -> State {
-        self.state(ball, 0.0)
     }
 
     #[inline]
@@ -109,11 +94,6 @@ impl Body for Single {
     #[inline]
     fn translates(&self) -> bool {
         self.velocity != Vec2::ZERO
-    }
-
-    #[inline]
-    fn is_still(&self) -> bool {
-        !self.translates()
     }
 }
 
