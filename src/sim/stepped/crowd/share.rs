@@ -1,5 +1,6 @@
 //! Work on several threads.
 
+use std::collections::VecDeque;
 use std::sync::{Mutex, PoisonError};
 
 use bevy::tasks::ComputeTaskPool;
@@ -7,8 +8,9 @@ use bevy::tasks::ComputeTaskPool;
 /// Balls from which on a light pass is shared: it takes a few nanoseconds a ball, and a thread some ten thousand to wake.
 const WORTH: usize = 16_384;
 
-/// Works on all items on so many threads. Items are given out one by one, so that no thread waits for another that drew
-/// the heavy ones; what is done to an item does not depend on who does it.
+/// Works on all items on so many threads. Each thread begins with the same part of them every time, so that what it works
+/// on stays in its own cache, and helps the others when that is done; what is done to an item does not depend on who
+/// does it.
 pub(super) fn share<T: Send>(
     threads: usize,
     items: impl Iterator<Item = T> + Send,
@@ -19,19 +21,28 @@ pub(super) fn share<T: Send>(
         items.for_each(work);
         return;
     };
-    let (queue, work) = (Mutex::new(items), &work);
-    let run = || {
-        loop {
-            let item = queue.lock().unwrap_or_else(PoisonError::into_inner).next();
-            let Some(item) = item else { break };
+    let items: Vec<T> = items.collect();
+    let (count, mut items) = (items.len(), items.into_iter());
+    let part = |thread: usize| count * (thread + 1) / threads - count * thread / threads;
+    let parts = (0..threads).map(|thread| items.by_ref().take(part(thread)).collect());
+    let parts: Vec<Mutex<VecDeque<T>>> = parts.map(Mutex::new).collect();
+    let next = |thread: usize| {
+        let lock = |part: usize| parts[part].lock().unwrap_or_else(PoisonError::into_inner);
+        let own = lock(thread).pop_front();
+        // What another will come to last.
+        own.or_else(|| (1..threads).find_map(|k| lock((thread + k) % threads).pop_back()))
+    };
+    let run = |thread: usize| {
+        while let Some(item) = next(thread) {
             work(item);
         }
     };
+    let run = &run;
     pool.scope(|scope| {
-        for _ in 1..threads {
-            scope.spawn(async { run() });
+        for thread in 1..threads {
+            scope.spawn(async move { run(thread) });
         }
-        run();
+        run(0);
     });
 }
 
