@@ -159,6 +159,15 @@ impl Ink {
             stroke: Stroke::Dots,
         }
     }
+
+    /// Circles around points of another series.
+    #[must_use]
+    pub const fn rings(colour: usize) -> Self {
+        Self {
+            colour,
+            stroke: Stroke::Rings,
+        }
+    }
 }
 
 /// How a series is drawn.
@@ -172,6 +181,8 @@ pub enum Stroke {
     Dotted,
     /// A dot at each point.
     Dots,
+    /// A circle around each point.
+    Rings,
 }
 
 /// Black for what was measured, then colours that can be told apart with any kind of colour vision, red, green, blue.

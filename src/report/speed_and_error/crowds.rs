@@ -10,7 +10,7 @@ use crate::physics::exact::Limits;
 use crate::physics::scene::{Scene, Solver, Stepped};
 use crate::report::judge::Stopped;
 use crate::report::speed_and_error::error::energy;
-use crate::report::speed_and_error::ladder::gas;
+use crate::report::speed_and_error::many::gas;
 use crate::report::speed_and_error::play::{self, SAMPLES, app, step};
 use crate::report::speed_and_error::{Effort, Method};
 use crate::sim::stepped::crowd::{Crowd, Mirror};
@@ -51,7 +51,7 @@ pub fn cost_of_crowd(effort: &Effort, balls: u32) -> Result<Vec<CrowdCost>, Stop
     let ticks = if balls > 50_000 { WINDOW / 6 } else { WINDOW };
     let mut costs = Vec::new();
     for cloth in [false, true] {
-        let scene = gas(balls, cloth);
+        let scene = gas(balls, cloth, 0);
         let floor = if cloth {
             "with cloth and spin"
         } else {
@@ -176,7 +176,7 @@ pub(super) const GRIDS: [u32; 12] = [5, 10, 15, 20, 30, 40, 50, 65, 80, 120, 180
 /// # Errors
 /// [`Stopped`] if a solver cannot go on.
 pub fn cost_of_grid(effort: &Effort, balls: u32, cells: u32) -> Result<Vec<GridCost>, Stopped> {
-    let scene = gas(balls, false);
+    let scene = gas(balls, false, 0);
     let ways = [
         (
             "the coursework's way, 1/60 s",

@@ -17,6 +17,16 @@ pub fn energy(scene: &Scene, states: &[State]) -> f64 {
     scene.balls.iter().zip(states).map(of).sum()
 }
 
+/// Kinetic energy in J of all balls on the table.
+#[must_use]
+pub fn kinetic(scene: &Scene, states: &[State]) -> f64 {
+    let balls = scene.balls.iter().zip(states);
+    balls
+        .filter(|(_, state)| state.motion.in_play())
+        .map(|(body, state)| body.ball.kinetic_energy(state))
+        .sum()
+}
+
 /// The errors of a method in one scene, over all starts, balls and common times before the horizon.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Errors {
@@ -24,7 +34,8 @@ pub struct Errors {
     pub rms: f64,
     /// The largest distance, m.
     pub most: f64,
-    /// The largest difference of the energies, as a part of the energy at the start.
+    /// The largest difference of the energies, as a part of the largest kinetic energy of the exact solver: potential
+    /// energy has no zero of its own.
     pub energy: f64,
     /// Contacts before the first that differs, in the start where it comes earliest; `None` where contacts are not
     /// written down.
@@ -61,7 +72,10 @@ impl Errors {
         let start: Vec<State> = (0..scene.balls.len())
             .map(|ball| truth.record.state_at(ball, 0.0))
             .collect();
-        let whole = energy(scene, &start);
+        let whole = std::iter::once(&start)
+            .chain(&truth.played.states)
+            .map(|states| kinetic(scene, states))
+            .fold(0.0, f64::max);
         for (exact, ours) in truth.played.states.iter().zip(&played.states) {
             let off = (energy(scene, ours) - energy(scene, exact)).abs();
             self.energy = self.energy.max(off / whole.max(f64::MIN_POSITIVE));

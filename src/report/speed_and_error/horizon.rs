@@ -193,7 +193,7 @@ mod tests {
             known.floor
         );
 
-        let mut gas = crate::report::speed_and_error::ladder::gas(100, false);
+        let mut gas = crate::report::speed_and_error::many::gas(100, false, 0);
         gas.solver = crate::physics::scene::Solver::Exact;
         gas.time_limit = 3.0;
         let known = truth(&gas).expect("a sound scene");

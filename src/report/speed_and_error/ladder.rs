@@ -1,18 +1,14 @@
 //! The scenes, from one ball to thousands.
 
 use glam::DVec3;
-use rand::{RngExt, SeedableRng};
-use rand_chacha::ChaCha8Rng;
 
 use crate::physics::ball::Ball;
 use crate::physics::laws::Laws;
 use crate::physics::laws::motion::MotionLaw;
 use crate::physics::scene::{Rack, Scene, Solver};
 use crate::physics::table::Preset;
-use crate::report::speed_and_error::{Effort, Method, Named};
-
-/// Share of the floor that the balls of a gas cover.
-const COVERED: f64 = 0.4;
+use crate::report::speed_and_error::many::{self, gas};
+use crate::report::speed_and_error::{BOARD, DAM, Effort, Method, Named};
 
 /// The coursework report's own number of balls.
 pub(super) const COURSEWORK_BALLS: u32 = 5750;
@@ -37,6 +33,8 @@ pub struct Rung {
     pub starts: Vec<Scene>,
     /// Whether nothing in it amplifies errors much, so that a method has an order that can be asked for.
     pub gentle: bool,
+    /// Whether a crowd can play it: smooth balls, all alike.
+    pub crowded: bool,
     /// Most ticks a second that are played of a stepped method.
     pub finest: u32,
 }
@@ -48,6 +46,7 @@ impl Rung {
             title: title.to_owned(),
             starts,
             gentle: false,
+            crowded: false,
             finest: u32::MAX,
         }
     }
@@ -59,12 +58,17 @@ impl Rung {
         let general = || rates().filter(|rate| *rate <= self.finest);
         let mut methods = vec![Method::Exact];
         methods.extend(general().map(Method::Located));
-        if self.name == GAS {
+        if self.crowded {
             methods.extend(rates().map(Method::Crowd));
             methods.extend(rates().map(Method::Single));
         }
         methods.extend(general().map(Method::Plain));
-        let has_cloth = |scene: &Scene| scene.laws.motion != MotionLaw::Frictionless;
+        let has_cloth = |scene: &Scene| {
+            !matches!(
+                scene.laws.motion,
+                MotionLaw::Frictionless | MotionLaw::Inclined(_)
+            )
+        };
         if self.starts.iter().any(has_cloth) {
             methods.extend(general().map(Method::Coursework));
         }
@@ -114,6 +118,31 @@ pub(super) fn ladder(effort: &Effort, library: &[Named]) -> Vec<Rung> {
     ));
     for named in library {
         let mut scene = named.scene.clone();
+        match named.name.as_str() {
+            BOARD => {
+                let starts = (0..effort.starts as usize).map(|ball| many::alone(&scene, ball));
+                rungs.push(Rung::new(
+                    BOARD,
+                    "One ball runs down a Galton board",
+                    starts.collect(),
+                ));
+                continue;
+            }
+            DAM => {
+                rungs.push(Rung {
+                    crowded: true,
+                    // As for the gas.
+                    finest: 240,
+                    ..Rung::new(
+                        DAM,
+                        "Three thousand balls let go on a tilted table",
+                        vec![many::let_go(&scene, 0)],
+                    )
+                });
+                continue;
+            }
+            _ => {}
+        }
         if matches!(scene.laws.motion, MotionLaw::Coursework(_)) {
             // The same start on a real table: what the model should have said.
             scene.laws = Laws::default();
@@ -122,9 +151,10 @@ pub(super) fn ladder(effort: &Effort, library: &[Named]) -> Vec<Rung> {
         rungs.push(Rung::new(&named.name, &named.title, vec![scene]));
     }
     let count = COURSEWORK_BALLS.min(effort.most_balls);
-    let mut scene = gas(count, false);
+    let mut scene = gas(count, false, 0);
     scene.time_limit = if effort.quick { 0.2 } else { 0.5 };
     rungs.push(Rung {
+        crowded: true,
         // Each tick the general solver notes where every ball is.
         finest: 960,
         ..Rung::new(
@@ -226,48 +256,5 @@ fn loosened(share: f64) -> Scene {
     let towards = (apex - scene.balls[0].state.position).normalize();
     moving(&mut scene, 0, 8.0 * towards, DVec3::ZERO);
     scene.time_limit = 12.0;
-    scene
-}
-
-/// Balls at about 1 m/s in all directions in a square box of which they cover [`COVERED`]; with cloth or without.
-pub(super) fn gas(count: u32, cloth: bool) -> Scene {
-    let ball = Ball {
-        spins: cloth,
-        ..Ball::POOL
-    };
-    let side = (f64::from(count) * std::f64::consts::PI / COVERED).sqrt() * ball.radius;
-    let table = Preset::Box {
-        length: side,
-        width: side,
-    }
-    .table();
-    let mut scene = Scene::new(
-        table,
-        if cloth {
-            Laws::default()
-        } else {
-            Laws::ideal()
-        },
-    );
-    let columns = f64::from(count).sqrt().ceil();
-    let pitch = side / columns;
-    let free = 0.9 * (0.5 * pitch - ball.radius);
-    let mut random = ChaCha8Rng::seed_from_u64(5750);
-    let mut signed = || random.random_range(-1.0..1.0);
-    for i in 0..count {
-        let (column, row) = (f64::from(i) % columns, (f64::from(i) / columns).floor());
-        let x = (column + 0.5) * pitch - 0.5 * side + free * signed();
-        let z = (row + 0.5) * pitch - 0.5 * side + free * signed();
-        let index = scene.place(&i.to_string(), ball, x, z);
-        // Sums of twelve are close to Maxwell's law, so that the gas begins in balance.
-        let mut normal = || (0..12).map(|_| signed()).sum::<f64>() * 0.5 * 0.5_f64.sqrt();
-        let velocity = DVec3::new(normal(), 0.0, normal());
-        let spin = if cloth {
-            ball.rolling_spin(velocity)
-        } else {
-            DVec3::ZERO
-        };
-        moving(&mut scene, index, velocity, spin);
-    }
     scene
 }

@@ -4,19 +4,18 @@ use std::time::Instant;
 
 use crate::report::judge::Stopped;
 use crate::report::speed_and_error::crowds::{self, GRIDS, cost_of_crowd, cost_of_grid};
-use crate::report::speed_and_error::ensemble::ensembles;
+use crate::report::speed_and_error::ensemble::{COUNTED_OF, statistics};
 use crate::report::speed_and_error::fit::{Convergence, convergence, pareto};
 use crate::report::speed_and_error::horizon::truth;
-use crate::report::speed_and_error::ladder::{COURSEWORK_BALLS, GAS, LOOSE, LOOSENED, gas, ladder};
+use crate::report::speed_and_error::ladder::{COURSEWORK_BALLS, GAS, LOOSE, ladder};
+use crate::report::speed_and_error::many::gas;
 use crate::report::speed_and_error::play::{SAMPLES, cost, play};
 use crate::report::speed_and_error::{
-    BREAK, Effort, Errors, Method, Named, Progress, Report, Rung, Truth,
+    Effort, Errors, Method, Named, Progress, Report, Rung, Truth,
 };
 
 /// Error in m that is no more than rounding, however little a scene amplifies it.
 const ROUNDING: f64 = 1e-9;
-/// Seconds after which every break has come to rest, or nearly.
-const BREAK_SECONDS: u32 = 12;
 /// Two runs whose costs lie within this share of each other are stable.
 const STABLE: f64 = 0.02;
 
@@ -131,30 +130,18 @@ pub fn run(
         .collect();
     let counts = crowds::counts(effort.most_balls);
     let grid_balls = COURSEWORK_BALLS.min(effort.most_balls);
+    let counted = rungs
+        .iter()
+        .filter(|rung| COUNTED_OF.contains(&rung.name.as_str()))
+        .count();
     let methods: usize = rungs.iter().map(|rung| rung.methods(effort).len()).sum();
-    progress.begin(methods + counts.len() + GRIDS.len() + 3);
+    progress.begin(methods + counts.len() + GRIDS.len() + 2 + counted);
 
     let mut scenes = Vec::new();
     for rung in rungs {
         scenes.push(scene(effort, rung, progress)?);
     }
-    progress.step("many breaks");
-    let methods = [
-        Method::Exact,
-        Method::Located(60),
-        Method::Located(480),
-        Method::Plain(60),
-        Method::Plain(480),
-        Method::Coursework(60),
-    ];
-    let mut statistics = Vec::new();
-    for scene in &scenes {
-        if [BREAK, LOOSENED].contains(&scene.rung.name.as_str()) {
-            let start = &scene.rung.starts[0];
-            let (name, shots) = (&scene.rung.name, effort.shots);
-            statistics.extend(ensembles(name, start, &methods, shots, BREAK_SECONDS)?);
-        }
-    }
+    let statistics = statistics(effort, &scenes, library, progress)?;
     progress.step("energy over time");
     let drifts = drifts(effort, &scenes)?;
     let mut crowds = Vec::new();
@@ -240,7 +227,7 @@ fn drifts(effort: &Effort, scenes: &[Scene]) -> Result<Vec<crowds::Drift>, Stopp
     } else {
         3 * SAMPLES
     } as usize;
-    let gas = gas(COURSEWORK_BALLS.min(effort.most_balls), false);
+    let gas = gas(COURSEWORK_BALLS.min(effort.most_balls), false, 0);
     let crowd = [
         Method::Crowd(60),
         Method::Crowd(240),

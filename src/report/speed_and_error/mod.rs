@@ -8,12 +8,14 @@
 //! Costs are processor time of the whole process while the work runs on one thread; short runs are repeated and the
 //! cheapest counts, since whatever else the machine does only adds.
 
+mod beyond;
 mod crowds;
 mod ensemble;
 mod error;
 mod fit;
 mod horizon;
 mod ladder;
+mod many;
 mod measure;
 mod method;
 mod pictures;
@@ -22,11 +24,12 @@ mod sheets;
 mod tables;
 
 pub use crowds::{CrowdCost, Drift, GridCost};
-pub use ensemble::{Ensemble, QUANTITIES};
+pub use ensemble::Ensemble;
 pub use error::Errors;
 pub use fit::{Convergence, convergence, mean_and_spread, pareto};
 pub use horizon::{NUDGE, Truth, truth};
 pub use ladder::Rung;
+pub use many::enskog_rate;
 pub use measure::{Measured, Scene, names, run};
 pub use method::Method;
 pub use pictures::pictures;
@@ -36,16 +39,24 @@ pub use tables::markdown;
 use std::time::Duration;
 
 /// The scenes of the library that belong to the ladder.
-pub const LIBRARY: [&str; 5] = [
+pub const LIBRARY: [&str; 7] = [
     BREAK,
     "coursework-1-collisions",
     "coursework-3-backspin",
     "coursework-3-side-curve",
     "coursework-3-draw-english",
+    BOARD,
+    DAM,
 ];
 
 /// The scene of which many shots are played.
 const BREAK: &str = "break-nine";
+
+/// A Galton board, down which balls run one by one.
+const BOARD: &str = "galton";
+
+/// A heap of balls that nothing holds.
+const DAM: &str = "dam-break";
 
 /// A scene of the library.
 #[derive(Clone, Debug)]
@@ -67,8 +78,10 @@ pub struct Effort {
     pub rates: Vec<u32>,
     /// Places from which each scene begins.
     pub starts: u32,
-    /// Shots of a break whose statistics are compared.
+    /// Shots of a break, and balls on a Galton board, whose statistics are compared.
     pub shots: usize,
+    /// Runs of a gas and of a dam break whose statistics are compared.
+    pub runs: usize,
     /// The largest crowd.
     pub most_balls: u32,
     /// How long a short run is repeated.
@@ -84,6 +97,7 @@ impl Effort {
             rates: vec![60, 120, 240, 480, 960, 1920, 3840, 7680],
             starts: 8,
             shots: 200,
+            runs: 12,
             most_balls: 1_000_000,
             budget: Duration::from_millis(200),
         }
@@ -97,6 +111,7 @@ impl Effort {
             rates: vec![60, 120, 240, 480, 960],
             starts: 3,
             shots: 24,
+            runs: 3,
             most_balls: 100_000,
             budget: Duration::from_millis(25),
         }
@@ -118,7 +133,7 @@ pub struct Report {
     pub effort: Effort,
     /// Scene by scene.
     pub scenes: Vec<Scene>,
-    /// Many breaks, if the break was played.
+    /// Many shots, of the scenes that were played.
     pub ensembles: Vec<Ensemble>,
     /// What a ball costs.
     pub crowds: Vec<CrowdCost>,

@@ -46,8 +46,8 @@ fn decades(values: impl Iterator<Item = f64>) -> (f64, f64) {
     if most == 0.0 {
         return (0.1, 1.0);
     }
-    let from = (libm::log10(least) - 1e-6).floor();
-    let to = (libm::log10(most) + 1e-6).ceil().max(from + 1.0);
+    let from = (libm::log10(least) + 1e-6).floor();
+    let to = (libm::log10(most) - 1e-6).ceil().max(from + 1.0);
     (libm::pow(10.0, from), libm::pow(10.0, to))
 }
 
@@ -67,11 +67,10 @@ fn speed_against_error(report: &Report) -> Chart {
         };
         let all: Vec<(f64, f64)> = (0..scene.measured.len()).map(point).collect();
         let front: Vec<(f64, f64)> = scene.front().into_iter().map(point).collect();
-        let mut series = vec![Series::new(
-            "nothing is better in both",
-            Ink::dashed(0),
-            front,
-        )];
+        let mut series = vec![
+            Series::new("", Ink::dashed(0), front.clone()),
+            Series::new("nothing is better in both", Ink::rings(0), front),
+        ];
         for family in families(scene) {
             let points = scene
                 .measured
@@ -159,12 +158,26 @@ fn cost_per_ball(report: &Report) -> Chart {
             labels.push(&cost.what);
         }
     }
-    for (place, label) in labels.into_iter().enumerate() {
+    for label in labels {
         let points = report.crowds.iter().filter(|cost| cost.what == label);
-        let points = points
+        let points: Vec<(f64, f64)> = points
             .map(|cost| (f64::from(cost.balls), cost.nanoseconds))
             .collect();
-        series.extend(marked(label, 1 + place, points));
+        // One colour for each way, with cloth dashed.
+        let colour = match label {
+            _ if label.contains("at rest") => 6,
+            _ if label.starts_with("exact") => ink(Method::Exact),
+            _ if label.contains("f32") => ink(Method::Single(60)),
+            _ if label.contains("crowd") => ink(Method::Crowd(60)),
+            _ => ink(Method::Located(60)),
+        };
+        let line = if label.contains("cloth") {
+            Ink::dashed(colour)
+        } else {
+            Ink::line(colour)
+        };
+        series.push(Series::new(label, line, points.clone()));
+        series.push(Series::new("", Ink::dots(colour), points));
     }
     let (x_from, x_to) = decades(report.crowds.iter().map(|cost| f64::from(cost.balls)));
     let (y_from, y_to) = decades(report.crowds.iter().map(|cost| cost.nanoseconds));

@@ -1,6 +1,6 @@
 //! The report as CSV.
 
-use crate::report::speed_and_error::{Method, QUANTITIES, Report};
+use crate::report::speed_and_error::{Method, Report};
 
 /// One table: its file, its columns, its rows.
 type Sheet = (&'static str, &'static [&'static str], Vec<Vec<String>>);
@@ -91,13 +91,13 @@ fn errors(report: &Report) -> Sheet {
 fn statistics(report: &Report) -> Sheet {
     let mut rows = Vec::new();
     for ensemble in &report.ensembles {
-        for (i, quantity) in QUANTITIES.into_iter().enumerate() {
+        for (i, quantity) in ensemble.quantities.iter().enumerate() {
             let (mean, spread) = ensemble.values[i];
             rows.push(vec![
                 ensemble.scene.clone(),
                 ensemble.method.family().to_owned(),
                 tick(ensemble.method),
-                quantity.to_owned(),
+                (*quantity).to_owned(),
                 ensemble.shots.to_string(),
                 number(mean),
                 number(spread),

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use crate::report::speed_and_error::fit::Convergence;
 use crate::report::speed_and_error::measure::Measured;
-use crate::report::speed_and_error::{GridCost, Method, NUDGE, QUANTITIES, Report, Scene};
+use crate::report::speed_and_error::{GridCost, Method, NUDGE, Report, Scene, beyond};
 
 /// What a crowd in single precision is.
 const SINGLE: &str = "*In f32*: places and velocities of a crowd are kept, moved and changed at contacts in single precision; only times of contacts are found in f64 from these. Every contact on the paths as they are kept is found, so none is missed; but paths are off by rounding from the first contact on, and energy is kept but for the rounding of all contacts. It is a method for smooth balls without cloth.";
@@ -50,7 +50,7 @@ fn write(report: &Report, out: &mut String) -> std::fmt::Result {
         scene_table(scene, out)?;
     }
     orders(report, out)?;
-    statistics(report, out)?;
+    beyond::write(report, out)?;
     crowds(report, out)?;
     grids(report, out)?;
     drifts(report, out)
@@ -172,30 +172,6 @@ fn orders(report: &Report, out: &mut String) -> std::fmt::Result {
                 family.family()
             )?;
         }
-    }
-    writeln!(out)
-}
-
-fn statistics(report: &Report, out: &mut String) -> std::fmt::Result {
-    let Some(first) = report.ensembles.first() else {
-        return Ok(());
-    };
-    writeln!(
-        out,
-        "## Beyond the horizon: {} breaks of each rack\n\nEach turned by up to 1e-3 rad; mean ± standard deviation, and in brackets how far the mean lies from the exact solver's in standard errors of the difference. Paths are summed over chords of 1/60 s.\n",
-        first.shots
-    )?;
-    writeln!(
-        out,
-        "| scene | method | {} |\n|---|---|---|---|---|",
-        QUANTITIES.join(" | ")
-    )?;
-    for ensemble in &report.ensembles {
-        write!(out, "| {} | {} |", ensemble.scene, ensemble.method)?;
-        for ((mean, spread), off) in ensemble.values.into_iter().zip(ensemble.off) {
-            write!(out, " {mean:.3} ± {spread:.3} ({off:+.1}) |")?;
-        }
-        writeln!(out)?;
     }
     writeln!(out)
 }

@@ -83,28 +83,6 @@ fn no_ball_leaves_a_closed_box_at_a_hundred_metres_a_second() {
     assert!(deepest_overlap(&states, SMOOTH.radius) < DEEPEST);
 }
 
-/// Twice the number of contacts per ball and second: 49.8 in the limit of many balls; at the walls a ball has fewer
-/// neighbours but reaches them sooner.
-#[test]
-fn collision_rate_does_not_depend_on_the_tick() {
-    let mut rates = Vec::new();
-    for tick in [1.0 / 60.0, 1.0 / 120.0, 1.0 / 1000.0] {
-        let mut scene = gas(2500, 0.4, 1.0, Laws::ideal(), SMOOTH);
-        as_crowd(&mut scene, tick, None);
-        let mut app = stepping::headless_app(&scene);
-        // One second to forget the lattice.
-        stepping::step(&mut app, (1.0 / tick) as u32);
-        let first = app.world().resource::<Census>().contacts_in_all;
-        stepping::step(&mut app, (1.0 / tick) as u32);
-        let census = app.world().resource::<Census>();
-        rates.push(2.0 * (census.contacts_in_all - first) as f64 / 2500.0);
-    }
-    for rate in &rates {
-        assert!((rate / rates[2] - 1.0).abs() < 0.02, "{rates:?}");
-        assert!((48.0..53.0).contains(rate), "{rates:?}");
-    }
-}
-
 #[test]
 fn a_crowd_denser_than_it_can_bounce_loses_energy_and_stays_apart() {
     // Nine tenths of what fits at all, at 0.6 of the speed after each impact.

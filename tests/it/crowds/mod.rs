@@ -1,5 +1,6 @@
 //! Crowds against the solver for few balls, against the exact solver, and against the laws of conservation.
 
+mod collision_rate;
 mod conservation;
 mod galton;
 mod refusals;
