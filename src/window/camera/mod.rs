@@ -23,6 +23,7 @@ use crate::sim::components::{BallIndex, BallName, MotionKind, Position};
 use crate::sim::playfield::Playfield;
 use crate::sim::stepped::crowd::Crowd;
 use crate::window::WindowSystems;
+use crate::window::page::Covered;
 use halves::{SecondEye, Under};
 use pose::Pose;
 use rig::{Rig, Seat, Surroundings};
@@ -30,6 +31,7 @@ use rig::{Rig, Seat, Surroundings};
 pub(super) use panels::plugin as panels;
 
 pub(super) fn plugin(app: &mut App) {
+    app.init_resource::<Covered>();
     app.add_systems(Startup, spawn).add_systems(
         RunFixedMainLoop,
         (halves::open, halves::share, follow)
@@ -90,7 +92,7 @@ fn follow(
     replay: Res<Replay>,
     settings: Res<Settings>,
     playfield: Res<Playfield>,
-    (watch, crowd): (Res<Watch>, Res<Crowd>),
+    (watch, crowd, covered): (Res<Watch>, Res<Crowd>, Res<Covered>),
     balls: Balls,
     mut input: MessageReader<CameraInput>,
     under: Under,
@@ -133,6 +135,11 @@ fn follow(
             table: Vec2::new(playfield.table.length as f32, playfield.table.width as f32),
             aspect: (size.x / size.y.max(1.0)).clamp(0.1, 10.0),
             is_crowd,
+            covered: if is_crowd && view.beside == Beside::default() {
+                covered.0
+            } else {
+                0.0
+            },
             watched: watch
                 .chosen
                 .filter(|_| is_crowd && watch.follow)

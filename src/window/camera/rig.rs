@@ -47,6 +47,8 @@ pub(super) struct Surroundings {
     pub is_crowd: bool,
     /// The ball that the camera is to follow.
     pub watched: Option<Vec3>,
+    /// Share of the width of the picture, at its right, on which something else lies.
+    pub covered: f32,
 }
 
 /// What the player has set in each view of one camera, and the way from the last view.
@@ -75,6 +77,8 @@ pub(super) struct Rig {
     shown: Option<Pose>,
     /// How large the table is beside a nine-foot one; 1 for every table that is played on.
     scale: f32,
+    /// Share of the width that is left free at the right.
+    covered: f32,
 }
 
 impl Default for Rig {
@@ -97,6 +101,7 @@ impl Default for Rig {
             from: None,
             shown: None,
             scale: 1.0,
+            covered: 0.0,
         }
     }
 }
@@ -184,6 +189,8 @@ impl Rig {
             let shift = overhead_shift_to(around, ball);
             self.overhead_shift = self.overhead_shift.lerp(shift, share);
         }
+        let share = 1.0 - libm::expf(-dt / EASE);
+        self.covered += share * (around.covered.clamp(0.0, 0.7) - self.covered);
         if mode != self.mode {
             self.from = self.shown.map(|pose| (pose, 1.0));
             self.mode = mode;
@@ -227,6 +234,7 @@ impl Rig {
                 let fov: f32 = 0.40;
                 let size = around.table + 2.0 * MARGIN * (around.table.y / 1.27).clamp(0.2, 1.0);
                 // A tall window turns the table upright, the foot up.
+                let aspect = around.aspect * (1.0 - self.covered);
                 let upright = around.aspect < 1.0;
                 let (wide, high) = if upright {
                     (size.y, size.x)
@@ -234,10 +242,11 @@ impl Rig {
                     (size.x, size.y)
                 };
                 let reach = 2.0 * libm::tanf(0.5 * fov);
-                let height =
-                    (high / reach).max(wide / (reach * around.aspect)) * self.overhead_zoom;
+                let height = (high / reach).max(wide / (reach * aspect)) * self.overhead_zoom;
                 let (right, up) = self::upright(upright);
-                let target = self.overhead_shift.x * right + self.overhead_shift.y * up;
+                // What is in the middle of the free part is not in the middle of the picture.
+                let aside = 0.5 * self.covered * height * reach * around.aspect;
+                let target = (self.overhead_shift.x + aside) * right + self.overhead_shift.y * up;
                 Pose::looking_at(target + height * Vec3::Y, target, up, fov)
             }
             Seat::Orbit => {
@@ -289,6 +298,7 @@ mod tests {
             aspect,
             is_crowd: false,
             watched: None,
+            covered: 0.0,
         }
     }
 
@@ -304,12 +314,20 @@ mod tests {
 
     #[test]
     fn overhead_shows_the_whole_table_in_any_window() {
-        for aspect in [0.4, 0.7, 1.0, 1.33, 1.78, 3.5] {
-            let pose = Rig::default().advance(OVERHEAD, &around(aspect), 0.0);
+        for (aspect, covered) in [0.4, 0.7, 1.0, 1.33, 1.78, 3.5]
+            .into_iter()
+            .flat_map(|aspect| [(aspect, 0.0), (aspect, 0.3)])
+        {
+            let around = Surroundings {
+                covered,
+                ..around(aspect)
+            };
+            let pose = Rig::default().advance(OVERHEAD, &around, f32::INFINITY);
             for (x, z) in [(1.0, 1.0), (-1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)] {
                 let corner = Vec3::new(1.27 * x, 0.04, 0.635 * z);
-                let place = seen(&pose, aspect, corner).abs();
-                assert!(place.max_element() < 1.0, "{aspect}: {corner} at {place}");
+                let place = seen(&pose, aspect, corner);
+                let is_inside = place.abs().max_element() < 1.0 && place.x < 1.0 - 2.0 * covered;
+                assert!(is_inside, "{aspect}, {covered}: {corner} at {place}");
             }
         }
     }
