@@ -8,11 +8,7 @@
 use std::time::{Duration, Instant};
 
 use bevy::prelude::*;
-use bevy::render::RenderPlugin;
-use bevy::render::settings::WgpuSettings;
 use bevy::time::TimeUpdateStrategy;
-use bevy::window::ExitCondition;
-use bevy::winit::WinitPlugin;
 use bevy_egui::{EguiInput, EguiPlugin, EguiPrimaryContextPass, PrimaryEguiContext, egui};
 use masse::game::aim::Aim;
 use masse::game::practice;
@@ -20,7 +16,7 @@ use masse::physics::scene::Scene;
 use masse::sim::clock::Clock;
 use masse::sim::messages::Strike;
 use masse::sim::playfield::lay_out;
-use masse::window::windowed;
+use masse::window::{unseen, windowed};
 
 /// Frames before any is counted.
 const WARM: usize = 60;
@@ -31,24 +27,8 @@ const FRAME: Duration = Duration::from_micros(16_667);
 /// Bevy without a window, a graphics adapter and sound.
 fn bevy_alone() -> App {
     let mut app = App::new();
-    app.add_plugins(
-        DefaultPlugins
-            .set(bevy::window::WindowPlugin {
-                primary_window: None,
-                exit_condition: ExitCondition::DontExit,
-                ..default()
-            })
-            .set(RenderPlugin {
-                render_creation: WgpuSettings {
-                    backends: None,
-                    ..default()
-                }
-                .into(),
-                ..default()
-            })
-            .disable::<WinitPlugin>(),
-    )
-    .insert_resource(TimeUpdateStrategy::ManualDuration(FRAME));
+    app.add_plugins(unseen())
+        .insert_resource(TimeUpdateStrategy::ManualDuration(FRAME));
     app
 }
 

@@ -23,8 +23,13 @@ pub enum Unread {
     #[error("cannot be read: {0}")]
     System(#[from] io::Error),
     /// It is longer than anything that was written here.
-    #[error("larger than {0} bytes")]
-    TooLong(u64),
+    #[error("{size} bytes are more than the {most} that it may have")]
+    TooLong {
+        /// How long it is, bytes.
+        size: u64,
+        /// How long it may be, bytes.
+        most: u64,
+    },
     /// It is no text.
     #[error("byte {0} is not UTF-8 text")]
     NotText(usize),
@@ -36,11 +41,16 @@ pub enum Unread {
 /// [`Unread`] says why not.
 pub fn read(path: &Path, longest: u64) -> Result<String, Unread> {
     let mut bytes = Vec::new();
-    File::open(path)?
-        .take(longest + 1)
-        .read_to_end(&mut bytes)?;
-    if bytes.len() as u64 > longest {
-        return Err(Unread::TooLong(longest));
+    let file = File::open(path)?;
+    let told = file.metadata()?.len();
+    file.take(longest + 1).read_to_end(&mut bytes)?;
+    let read = bytes.len() as u64;
+    if read > longest {
+        return Err(Unread::TooLong {
+            // What is no plain file has no length to tell.
+            size: told.max(read),
+            most: longest,
+        });
     }
     String::from_utf8(bytes).map_err(|error| Unread::NotText(error.utf8_error().valid_up_to()))
 }
@@ -97,7 +107,9 @@ mod tests {
             assert_eq!(read(&path, 15).expect("it is there"), text);
         }
         replace(&path, "0123456789").expect("it is writable");
-        assert!(matches!(read(&path, 9), Err(Unread::TooLong(9))));
+        let long = read(&path, 7).expect_err("it is too long");
+        assert!(matches!(long, Unread::TooLong { size: 10, most: 7 }));
+        assert!(long.to_string().contains("10 bytes are more than the 7"));
         fs::write(&path, [b'a', 0xff]).expect("it is writable");
         assert!(matches!(read(&path, 9), Err(Unread::NotText(1))));
         fs::remove_file(&path).expect("it is there");

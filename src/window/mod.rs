@@ -22,7 +22,7 @@ mod shot_ui;
 mod sound;
 mod start;
 
-pub use display::{NoDisplay, film, snapshot};
+pub use display::{NoDisplay, film, snapshot, unseen};
 pub use preset::Source;
 pub use render::quality::RenderQuality;
 pub use scenario_ui::{Heat, OnTable, OwnScenes, Stage, Studio, Turn, seats};
@@ -118,7 +118,7 @@ impl Plugin for WindowPlugin {
             )
             .add_plugins((
                 picture,
-                camera::panels,
+                camera::panels_plugin,
                 language::plugin,
                 page::plugin,
                 action::plugin,

@@ -24,10 +24,6 @@ pub enum Screen {
     Menu,
 }
 
-/// Share of the width of the window that a panel covers at its right. A whole table seen from above goes beside it.
-#[derive(Resource, Clone, Copy, Debug, Default, PartialEq)]
-pub struct Covered(pub f32);
-
 /// What a panel is remembered by: its name and the size of the window. A window that was made tiny for a while, or
 /// minimised, would leave its panels squeezed and pushed aside for good.
 #[must_use]

@@ -98,7 +98,10 @@ fn damages() -> Vec<(Vec<u8>, &'static str)> {
         (text("(version: 0)"), "0 is no version"),
         (text("(version: 2, hologram: On)"), "2 is newer than 1"),
         (text("(version: -1)"), "1:"),
-        (vec![b'x'; (1 << 20) + 1], "larger than 1048576"),
+        (
+            vec![b'x'; (1 << 20) + 1],
+            "1048577 bytes are more than the 1048576",
+        ),
     ]
 }
 

@@ -2,14 +2,8 @@
 
 use std::collections::HashMap;
 
-use bevy::audio::AudioPlugin;
 use bevy::ecs::schedule::Schedules;
-use bevy::log::LogPlugin;
 use bevy::prelude::*;
-use bevy::render::RenderPlugin;
-use bevy::render::settings::WgpuSettings;
-use bevy::window::ExitCondition;
-use bevy::winit::WinitPlugin;
 use glam::DVec3;
 
 use masse::game::view::CameraMode;
@@ -19,7 +13,7 @@ use masse::physics::scene::Scene;
 use masse::physics::table::Preset;
 use masse::sim::playfield::lay_out;
 use masse::window::snapshot::{Picture, picture};
-use masse::window::windowed;
+use masse::window::{unseen, windowed};
 
 fn scene() -> Scene {
     let mut scene = Scene::new(Preset::NineFoot.table(), Laws::default());
@@ -98,26 +92,7 @@ fn a_frame_shows_cloth_balls_rails_and_pockets_where_they_are() {
 /// The whole windowed program, with neither window nor graphics card nor loudspeaker.
 pub(crate) fn blind() -> App {
     let mut app = App::new();
-    app.add_plugins(
-        DefaultPlugins
-            .set(bevy::window::WindowPlugin {
-                primary_window: None,
-                exit_condition: ExitCondition::DontExit,
-                ..default()
-            })
-            .set(RenderPlugin {
-                render_creation: WgpuSettings {
-                    backends: None,
-                    ..default()
-                }
-                .into(),
-                ..default()
-            })
-            .disable::<WinitPlugin>()
-            .disable::<LogPlugin>()
-            .disable::<AudioPlugin>(),
-    )
-    .add_plugins(windowed());
+    app.add_plugins(unseen()).add_plugins(windowed());
     lay_out(app.world_mut(), &scene());
     app.finish();
     app.cleanup();

@@ -32,10 +32,12 @@ pub enum SavedError {
         source: std::io::Error,
     },
     /// The file is too large.
-    #[error("{file}: larger than {most} bytes, the largest saved match that is read")]
+    #[error("{file}: {size} bytes are more than {most}, the largest saved match that is read")]
     TooLarge {
         /// The file.
         file: String,
+        /// Its size, bytes.
+        size: u64,
         /// Largest size, bytes.
         most: u64,
     },

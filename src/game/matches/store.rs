@@ -159,7 +159,7 @@ fn text_of(path: &Path) -> Result<String, SavedError> {
         let file = path.display().to_string();
         match why {
             Unread::System(source) => SavedError::Read { file, source },
-            Unread::TooLong(most) => SavedError::TooLarge { file, most },
+            Unread::TooLong { size, most } => SavedError::TooLarge { file, size, most },
             Unread::NotText(byte) => SavedError::NotText { file, byte },
         }
     })

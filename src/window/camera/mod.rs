@@ -1,8 +1,10 @@
 //! Where the player looks from: behind the cue, overhead, freely around a point, beside a ball, or from where the scene
 //! wants it. And what stands beside that picture: another camera, or the same stroke by other laws.
 //!
-//! A change of mode is eased; within a mode the camera follows without lag. Nothing but the player changes the mode.
+//! A change of mode is eased; within a mode the camera follows without lag. Nothing but the player changes the mode. What is
+//! looked at is shown beside the panels, not behind them.
 
+mod frame;
 mod halves;
 mod panels;
 mod pose;
@@ -23,21 +25,22 @@ use crate::sim::components::{BallIndex, BallName, MotionKind, Position};
 use crate::sim::playfield::Playfield;
 use crate::sim::stepped::crowd::Crowd;
 use crate::window::WindowSystems;
-use crate::window::page::Covered;
 use halves::{SecondEye, Under};
+use panels::Covered;
 use pose::Pose;
 use rig::{Rig, Seat, Surroundings};
 
-pub(super) use panels::plugin as panels;
+pub(super) use panels::plugin as panels_plugin;
 
 pub(super) fn plugin(app: &mut App) {
-    app.init_resource::<Covered>();
-    app.add_systems(Startup, spawn).add_systems(
-        RunFixedMainLoop,
-        (halves::open, halves::share, follow)
-            .chain()
-            .in_set(WindowSystems::Look),
-    );
+    app.init_resource::<Covered>()
+        .add_systems(Startup, spawn)
+        .add_systems(
+            RunFixedMainLoop,
+            (halves::open, halves::share, follow)
+                .chain()
+                .in_set(WindowSystems::Look),
+        );
 }
 
 /// What every eye on the table is.
@@ -77,7 +80,7 @@ type Eyes<'w, 's> = Query<
         &'static mut Transform,
         &'static mut Projection,
         &'static mut Rig,
-        &'static Camera,
+        &'static mut Camera,
         Has<SecondEye>,
     ),
 >;
@@ -95,12 +98,11 @@ fn follow(
     (watch, crowd, covered): (Res<Watch>, Res<Crowd>, Res<Covered>),
     balls: Balls,
     mut input: MessageReader<CameraInput>,
-    under: Under,
-    mut eyes: Eyes,
+    mut looks: ParamSet<(Under, Eyes)>,
 ) {
     let inputs: Vec<CameraInput> = input.read().copied().collect();
     // Through the same camera other laws are seen as the table is.
-    let is_second_steered = under.is_second() && view.beside != Beside::Laws;
+    let is_second_steered = looks.p0().is_second() && view.beside != Beside::Laws;
     // Whoever wants less motion sees the camera where it would come to rest.
     let seconds = if settings.reduced_motion {
         f32::INFINITY
@@ -122,24 +124,28 @@ fn follow(
             .map(|(_, _, position, _)| position.0.as_vec3())
             .filter(|_| !clock.moving),
     };
-    for (mut transform, mut projection, mut rig, camera, is_second) in &mut eyes {
+    for (mut transform, mut projection, mut rig, mut camera, is_second) in &mut looks.p1() {
         if !camera.is_active {
             continue;
         }
         let size = camera
             .logical_viewport_size()
             .unwrap_or(Vec2::new(16.0, 9.0));
+        let table = Vec2::new(playfield.table.length as f32, playfield.table.width as f32);
+        let aspect = (size.x / size.y.max(1.0)).clamp(0.1, 10.0);
+        let frame = rig.framing.advance(
+            panels::over(&covered, &camera),
+            size,
+            rig::overhead(table, aspect),
+            seconds,
+        );
         let surroundings = Surroundings {
             ball: waiting,
             forward: aim.shot.forward().as_vec3(),
-            table: Vec2::new(playfield.table.length as f32, playfield.table.width as f32),
-            aspect: (size.x / size.y.max(1.0)).clamp(0.1, 10.0),
+            table,
+            aspect,
+            frame,
             is_crowd,
-            covered: if is_crowd && view.beside == Beside::default() {
-                covered.0
-            } else {
-                0.0
-            },
             watched: watch
                 .chosen
                 .filter(|_| is_crowd && watch.follow)
@@ -170,7 +176,11 @@ fn follow(
         let pose = rig.advance((mode, seat), &surroundings, seconds);
         *transform = Transform::from_translation(pose.eye).with_rotation(pose.rotation);
         if let Projection::Perspective(perspective) = &mut *projection {
-            perspective.fov = pose.fov;
+            let (fov, part) = frame::lens(pose.frame, pose.fov, size);
+            perspective.fov = fov;
+            if camera.sub_camera_view != part {
+                camera.sub_camera_view = part;
+            }
             (perspective.near, perspective.far) = rig.depths();
         }
     }

@@ -2,7 +2,9 @@
 
 use bevy::prelude::*;
 
-/// Where the eye is, how it is turned, how wide it sees.
+use crate::window::camera::frame::WHOLE;
+
+/// Where the eye is, how it is turned, how wide it sees, and where in the picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Pose {
     /// Position, m.
@@ -11,6 +13,8 @@ pub(super) struct Pose {
     pub rotation: Quat,
     /// Vertical field of view, rad.
     pub fov: f32,
+    /// The part of the picture that this field of view fills, in shares of the picture; around it more is seen.
+    pub frame: Rect,
 }
 
 impl Pose {
@@ -22,6 +26,7 @@ impl Pose {
                 .looking_at(target, up)
                 .rotation,
             fov,
+            frame: WHOLE,
         }
     }
 
@@ -31,6 +36,10 @@ impl Pose {
             eye: self.eye.lerp(other.eye, share),
             rotation: self.rotation.slerp(other.rotation, share),
             fov: self.fov + share * (other.fov - self.fov),
+            frame: Rect {
+                min: self.frame.min.lerp(other.frame.min, share),
+                max: self.frame.max.lerp(other.frame.max, share),
+            },
         }
     }
 }

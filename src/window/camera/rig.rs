@@ -3,6 +3,7 @@
 use bevy::prelude::*;
 
 use crate::game::view::{CameraInput, CameraMode};
+use crate::window::camera::frame::{Framing, WHOLE};
 use crate::window::camera::pose::Pose;
 
 /// What a mode comes to on this table.
@@ -43,17 +44,19 @@ pub(super) struct Surroundings {
     pub table: Vec2,
     /// Width of the picture over its height.
     pub aspect: f32,
+    /// Where in the picture the panels leave room for a view of the whole table.
+    pub frame: Rect,
     /// Whether the balls are a crowd: its tables have any size.
     pub is_crowd: bool,
     /// The ball that the camera is to follow.
     pub watched: Option<Vec3>,
-    /// Share of the width of the picture, at its right, on which something else lies.
-    pub covered: f32,
 }
 
 /// What the player has set in each view of one camera, and the way from the last view.
 #[derive(Component, Debug)]
 pub(super) struct Rig {
+    /// Where in the picture the table is shown.
+    pub framing: Framing,
     behind_distance: f32,
     behind_pitch: f32,
     overhead_zoom: f32,
@@ -77,13 +80,12 @@ pub(super) struct Rig {
     shown: Option<Pose>,
     /// How large the table is beside a nine-foot one; 1 for every table that is played on.
     scale: f32,
-    /// Share of the width that is left free at the right.
-    covered: f32,
 }
 
 impl Default for Rig {
     fn default() -> Self {
         Self {
+            framing: Framing::default(),
             behind_distance: 0.95,
             behind_pitch: 0.36,
             overhead_zoom: 1.0,
@@ -101,7 +103,6 @@ impl Default for Rig {
             from: None,
             shown: None,
             scale: 1.0,
-            covered: 0.0,
         }
     }
 }
@@ -189,13 +190,18 @@ impl Rig {
             let shift = overhead_shift_to(around, ball);
             self.overhead_shift = self.overhead_shift.lerp(shift, share);
         }
-        let share = 1.0 - libm::expf(-dt / EASE);
-        self.covered += share * (around.covered.clamp(0.0, 0.7) - self.covered);
         if mode != self.mode {
             self.from = self.shown.map(|pose| (pose, 1.0));
             self.mode = mode;
         }
-        let goal = self.goal(seat, around);
+        let mut goal = self.goal(seat, around);
+        goal.frame = if seat == Seat::Overhead {
+            around.frame
+        } else {
+            // Beside the panels, as large as ever.
+            let aside = around.frame.center().x - 0.5;
+            Rect::from_center_size(Vec2::new(0.5 + aside, 0.5), WHOLE.size())
+        };
         if let Some((_, left)) = &mut self.from {
             *left *= libm::expf(-dt / EASE);
             if *left < 1e-3 {
@@ -232,21 +238,12 @@ impl Rig {
             }
             Seat::Overhead => {
                 let fov: f32 = 0.40;
-                let size = around.table + 2.0 * MARGIN * (around.table.y / 1.27).clamp(0.2, 1.0);
-                // A tall window turns the table upright, the foot up.
-                let aspect = around.aspect * (1.0 - self.covered);
-                let upright = around.aspect < 1.0;
-                let (wide, high) = if upright {
-                    (size.y, size.x)
-                } else {
-                    (size.x, size.y)
-                };
+                let size = overhead(around.table, around.aspect);
                 let reach = 2.0 * libm::tanf(0.5 * fov);
-                let height = (high / reach).max(wide / (reach * aspect)) * self.overhead_zoom;
-                let (right, up) = self::upright(upright);
-                // What is in the middle of the free part is not in the middle of the picture.
-                let aside = 0.5 * self.covered * height * reach * around.aspect;
-                let target = (self.overhead_shift.x + aside) * right + self.overhead_shift.y * up;
+                let aspect = around.aspect * around.frame.width() / around.frame.height();
+                let height = (size.y / reach).max(size.x / (reach * aspect)) * self.overhead_zoom;
+                let (right, up) = self::upright(around.aspect < 1.0);
+                let target = self.overhead_shift.x * right + self.overhead_shift.y * up;
                 Pose::looking_at(target + height * Vec3::Y, target, up, fov)
             }
             Seat::Orbit => {
@@ -262,6 +259,13 @@ impl Rig {
             }
         }
     }
+}
+
+/// Width and height in m of what an overhead view shows of a table of this size. A tall picture turns it upright, the foot
+/// up.
+pub(super) fn overhead(table: Vec2, aspect: f32) -> Vec2 {
+    let size = table + 2.0 * MARGIN * (table.y / 1.27).clamp(0.2, 1.0);
+    if aspect < 1.0 { size.yx() } else { size }
 }
 
 /// The shift that brings a point of the table to the middle of an overhead view.
@@ -296,9 +300,9 @@ mod tests {
             forward: Vec3::X,
             table: Vec2::new(2.54, 1.27),
             aspect,
+            frame: WHOLE,
             is_crowd: false,
             watched: None,
-            covered: 0.0,
         }
     }
 
@@ -314,20 +318,12 @@ mod tests {
 
     #[test]
     fn overhead_shows_the_whole_table_in_any_window() {
-        for (aspect, covered) in [0.4, 0.7, 1.0, 1.33, 1.78, 3.5]
-            .into_iter()
-            .flat_map(|aspect| [(aspect, 0.0), (aspect, 0.3)])
-        {
-            let around = Surroundings {
-                covered,
-                ..around(aspect)
-            };
-            let pose = Rig::default().advance(OVERHEAD, &around, f32::INFINITY);
+        for aspect in [0.4, 0.7, 1.0, 1.33, 1.78, 3.5] {
+            let pose = Rig::default().advance(OVERHEAD, &around(aspect), 0.0);
             for (x, z) in [(1.0, 1.0), (-1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)] {
                 let corner = Vec3::new(1.27 * x, 0.04, 0.635 * z);
-                let place = seen(&pose, aspect, corner);
-                let is_inside = place.abs().max_element() < 1.0 && place.x < 1.0 - 2.0 * covered;
-                assert!(is_inside, "{aspect}, {covered}: {corner} at {place}");
+                let place = seen(&pose, aspect, corner).abs();
+                assert!(place.max_element() < 1.0, "{aspect}: {corner} at {place}");
             }
         }
     }

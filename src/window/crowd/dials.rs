@@ -26,8 +26,7 @@ use crate::window::language::Language;
 /// Balls up to which the laws change while a dial is still being turned: every change sorts the crowd anew.
 const AT_ONCE: usize = 20_000;
 
-/// Gravity, m/s², and the greatest tilt, degrees.
-const GRAVITY: f64 = 9.81;
+/// The greatest tilt, degrees.
 const STEEPEST: f64 = 30.0;
 
 /// A number that can be turned.
@@ -155,8 +154,9 @@ pub(super) fn show(
 
 /// How far the table is tilted, along and across, in degrees.
 fn tilt(ui: &mut egui::Ui, language: &Language, motion: &mut MotionLaw, at_once: bool) {
+    let weight = gravity();
     let slope =
-        [motion.pull().x, motion.pull().z].map(|pull| libm::asin(pull / GRAVITY).to_degrees());
+        [motion.pull().x, motion.pull().z].map(|pull| libm::asin(pull / weight).to_degrees());
     for (axis, label) in [(0, "crowd-tilt-along"), (1, "crowd-tilt-across")] {
         let dial = Dial {
             label,
@@ -174,9 +174,14 @@ fn tilt(ui: &mut egui::Ui, language: &Language, motion: &mut MotionLaw, at_once:
     }
 }
 
+/// Gravity in m/s²: that of a level table, as a tilted one has only its part along the slate.
+fn gravity() -> f64 {
+    Cloth::default().gravity
+}
+
 /// Tilts the table; a tilted one has no cloth, and a level one stays as it is.
 fn set_tilt(motion: &mut MotionLaw, slope: [f64; 2]) {
-    let [x, z] = slope.map(|angle| GRAVITY * libm::sin(angle.to_radians()));
+    let [x, z] = slope.map(|angle| gravity() * libm::sin(angle.to_radians()));
     if x != 0.0 || z != 0.0 {
         *motion = MotionLaw::Inclined(Incline { x, z });
     } else if let MotionLaw::Inclined(_) = motion {
@@ -330,7 +335,7 @@ mod tests {
         assert_eq!(motion, cloth);
         set_tilt(&mut motion, [-STEEPEST, 5.0]);
         let pull = motion.pull();
-        assert!((pull.x + 0.5 * GRAVITY).abs() < 1e-12, "{pull}");
+        assert!((pull.x + 0.5 * gravity()).abs() < 1e-12, "{pull}");
         assert!((pull.z - 0.855).abs() < 1e-3, "{pull}");
         set_tilt(&mut motion, [0.0, 0.0]);
         assert_eq!(motion, MotionLaw::Frictionless);

@@ -26,7 +26,7 @@ use crate::sim::SimSystems;
 use crate::sim::playfield::Playfield;
 use crate::sim::stepped::crowd::{Crowd, is_crowd};
 use crate::window::WindowSystems;
-use crate::window::page::{Covered, Screen};
+use crate::window::page::Screen;
 
 /// What can be seen without touching anything.
 pub(super) fn picture(app: &mut App) {
@@ -55,7 +55,6 @@ pub(super) fn plugin(app: &mut App) {
     app.init_resource::<pointer::Grasp>()
         .init_resource::<numbers::Numbers>()
         .init_resource::<panel::Panel>()
-        .init_resource::<Covered>()
         .add_plugins(scenes::plugin)
         .init_resource::<pace::Cost>()
         .add_systems(

@@ -22,7 +22,7 @@ use crate::window::crowd::pace::{self, Cost};
 use crate::window::crowd::pack::Packed;
 use crate::window::crowd::scenes::{self, Loading};
 use crate::window::language::Language;
-use crate::window::page::{Covered, panel_id};
+use crate::window::page::panel_id;
 
 /// Width of the panel in points.
 const WIDTH: f32 = 262.0;
@@ -59,7 +59,6 @@ pub(super) struct Desk<'w, 's> {
     cost: Res<'w, Cost>,
     balls: Query<'w, 's, (&'static Mass, &'static Radius, Has<AngularVelocity>)>,
     commands: Commands<'w, 's>,
-    covered: ResMut<'w, Covered>,
 }
 
 /// Opens and closes the panel.
@@ -71,7 +70,6 @@ pub(super) fn toggle(actions: Single<&ActionState<Action>>, mut panel: ResMut<Pa
 
 /// Lays out the panel, or the button that brings it back.
 pub(super) fn show(mut contexts: EguiContexts, mut desk: Desk) -> Result {
-    desk.covered.set_if_neq(Covered(0.0));
     if !desk.playfield.solver.is_crowd() {
         return Ok(());
     }
@@ -89,7 +87,7 @@ pub(super) fn show(mut contexts: EguiContexts, mut desk: Desk) -> Result {
     }
     let mut open = true;
     let height = context.content_rect().height();
-    let shown = egui::Window::new(desk.language.text("crowd-title"))
+    egui::Window::new(desk.language.text("crowd-title"))
         .id(panel_id(context, "crowd"))
         .open(&mut open)
         .pivot(egui::Align2::RIGHT_TOP)
@@ -101,13 +99,6 @@ pub(super) fn show(mut contexts: EguiContexts, mut desk: Desk) -> Result {
                 .max_height(height - 60.0)
                 .show(ui, |ui| contents(ui, &mut desk));
         });
-    if let Some(window) = shown {
-        // Only where it stands at the right, and not rolled up to its title.
-        let (panel, all) = (window.response.rect, context.content_rect());
-        let is_beside = window.inner.is_some() && panel.center().x > all.center().x;
-        let share = (all.right() - panel.left()) / all.width().max(1.0);
-        desk.covered.0 = if is_beside { share } else { 0.0 };
-    }
     if !open {
         desk.panel.open = false;
     }

@@ -5,7 +5,7 @@ pub mod snapshot;
 
 use std::panic::{self, AssertUnwindSafe};
 
-use bevy::app::TerminalCtrlCHandlerPlugin;
+use bevy::app::{PluginGroupBuilder, TerminalCtrlCHandlerPlugin};
 use bevy::audio::AudioPlugin;
 use bevy::log::LogPlugin;
 use bevy::prelude::*;
@@ -66,6 +66,29 @@ pub(super) fn off_screen() -> Result<App, NoDisplay> {
         )
         .add_plugins((SimPlugin, GamePlugin, super::picture));
     Ok(app)
+}
+
+/// Bevy's plugins without a window, a graphics adapter, a loudspeaker and a log: with [`windowed`](crate::window::windowed)
+/// the whole program runs, but nothing is seen or heard of it. For tests, and to measure what a frame costs.
+#[must_use]
+pub fn unseen() -> PluginGroupBuilder {
+    DefaultPlugins
+        .set(bevy::window::WindowPlugin {
+            primary_window: None,
+            exit_condition: ExitCondition::DontExit,
+            ..default()
+        })
+        .set(RenderPlugin {
+            render_creation: WgpuSettings {
+                backends: None,
+                ..default()
+            }
+            .into(),
+            ..default()
+        })
+        .disable::<WinitPlugin>()
+        .disable::<LogPlugin>()
+        .disable::<AudioPlugin>()
 }
 
 fn is_set(variable: &str) -> bool {

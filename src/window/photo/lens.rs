@@ -127,20 +127,28 @@ pub(super) fn look(
     mut photo: ResMut<Photo>,
     quality: Res<RenderQuality>,
     balls: Query<(&GlobalTransform, &Radius)>,
-    mut cameras: Query<(Entity, &mut Transform, &mut Projection), (With<FirstEye>, Without<Film>)>,
+    mut cameras: Query<
+        (Entity, &mut Transform, &mut Projection, &mut Camera),
+        (With<FirstEye>, Without<Film>),
+    >,
 ) {
     let lens = &mut photo.lens;
-    for (entity, mut transform, mut projection) in &mut cameras {
+    for (entity, mut transform, mut projection, mut camera) in &mut cameras {
         let Projection::Perspective(perspective) = &mut *projection else {
             continue;
         };
         let eye = *lens.eye.get_or_insert_with(|| {
             let (yaw, pitch, _) = transform.rotation.to_euler(EulerRot::YXZ);
-            (lens.yaw, lens.pitch, lens.fov) = (yaw, pitch, perspective.fov);
+            // There are no panels any more to look past.
+            let half = 1.0 / camera.clip_from_view().y_axis.y.max(1e-3);
+            (lens.yaw, lens.pitch, lens.fov) = (yaw, pitch, 2.0 * libm::atanf(half));
             transform.translation
         });
         *transform = Transform::from_translation(eye).with_rotation(lens.rotation());
         perspective.fov = lens.fov;
+        if camera.sub_camera_view.is_some() {
+            camera.sub_camera_view = None;
+        }
         if lens.auto_focus {
             let ray = Ray3d::new(eye, transform.forward());
             let spheres = balls

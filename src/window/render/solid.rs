@@ -15,6 +15,9 @@ pub(super) struct Solid {
     uvs: Vec<[f32; 2]>,
     tangents: Vec<[f32; 4]>,
     indices: Vec<u32>,
+    /// The colour of each point, if any was dyed, and that of the next one.
+    colours: Vec<[f32; 4]>,
+    dye: Option<[f32; 4]>,
 }
 
 impl Solid {
@@ -27,7 +30,39 @@ impl Solid {
             uvs: Vec::new(),
             tangents: Vec::new(),
             indices: Vec::new(),
+            colours: Vec::new(),
+            dye: None,
         }
+    }
+
+    /// Gives all faces from now on a colour, this much lighter than it is. Either all faces are dyed or none.
+    pub fn dye(&mut self, colour: Color, light: f64) {
+        let LinearRgba {
+            red, green, blue, ..
+        } = colour.to_linear();
+        let light = light as f32;
+        self.dye = Some([red * light, green * light, blue * light, 1.0]);
+    }
+
+    /// How many points there are so far.
+    pub fn count(&self) -> usize {
+        self.positions.len()
+    }
+
+    /// Lets only a share of the light come to the points from this one on, depending on where they are.
+    pub fn shade(&mut self, from: usize, light: impl Fn([f32; 3]) -> f32) {
+        for (colour, at) in self.colours.iter_mut().zip(&self.positions).skip(from) {
+            let light = light(*at);
+            for channel in &mut colour[..3] {
+                *channel *= light;
+            }
+        }
+    }
+
+    /// Every point.
+    #[cfg(test)]
+    pub fn points(&self) -> impl Iterator<Item = [f32; 3]> {
+        self.positions.iter().copied()
     }
 
     /// A flat face; its corners run counter-clockwise seen from its front.
@@ -53,6 +88,7 @@ impl Solid {
             let uv = DVec2::new(corner.dot(along), corner.dot(across)) / self.tile;
             self.uvs.push(uv.as_vec2().to_array());
             self.tangents.push(along.as_vec3().extend(1.0).to_array());
+            self.colours.extend(self.dye);
         }
         self.indices
             .extend([0, 1, 2, 0, 2, 3].map(|corner| first + corner));
@@ -86,7 +122,7 @@ impl Solid {
     }
 
     pub fn mesh(self) -> Mesh {
-        Mesh::new(
+        let mesh = Mesh::new(
             PrimitiveTopology::TriangleList,
             RenderAssetUsages::RENDER_WORLD,
         )
@@ -94,7 +130,11 @@ impl Solid {
         .with_inserted_attribute(Mesh::ATTRIBUTE_NORMAL, self.normals)
         .with_inserted_attribute(Mesh::ATTRIBUTE_UV_0, self.uvs)
         .with_inserted_attribute(Mesh::ATTRIBUTE_TANGENT, self.tangents)
-        .with_inserted_indices(Indices::U32(self.indices))
+        .with_inserted_indices(Indices::U32(self.indices));
+        if self.colours.is_empty() {
+            return mesh;
+        }
+        mesh.with_inserted_attribute(Mesh::ATTRIBUTE_COLOR, self.colours)
     }
 }
 

@@ -10,16 +10,16 @@ pub(super) struct Fall {
     velocity: DVec3,
     center: DVec3,
     room: f64,
+    gravity: f64,
 }
 
 /// Depth below the slate at which a fallen ball is out of sight, m.
 const BOTTOM: f64 = -0.15;
 
-const GRAVITY: f64 = 9.81;
-
 impl Fall {
-    /// A ball at `start` with this velocity over a hole around `center`, whose wall lets its centre `room` m away.
-    pub fn new(start: DVec3, center: DVec3, room: f64, velocity: DVec3) -> Self {
+    /// A ball at `start` with this velocity over a hole around `center`, whose wall lets its centre `room` m away, under
+    /// this gravity in m/s².
+    pub fn new(start: DVec3, center: DVec3, room: f64, velocity: DVec3, gravity: f64) -> Self {
         let to_center = (center - start).with_y(0.0).normalize_or_zero();
         Self {
             position: start,
@@ -29,6 +29,7 @@ impl Fall {
                 .clamp_length_max(2.5),
             center,
             room: room.max(0.005),
+            gravity,
         }
     }
 
@@ -37,7 +38,7 @@ impl Fall {
         if self.is_over() {
             return;
         }
-        self.velocity.y -= GRAVITY * time;
+        self.velocity.y -= self.gravity * time;
         self.position += self.velocity * time;
         let offset = (self.position - self.center).with_y(0.0);
         let out = offset.normalize_or_zero();
@@ -60,7 +61,7 @@ mod tests {
     #[test]
     fn a_ball_falls_out_of_sight_within_the_hole() {
         let start = DVec3::new(-0.06, 0.0286, 0.0);
-        let mut fall = Fall::new(start, DVec3::ZERO, 0.034, DVec3::new(2.0, 0.0, 0.3));
+        let mut fall = Fall::new(start, DVec3::ZERO, 0.034, DVec3::new(2.0, 0.0, 0.3), 9.81);
         for _ in 0..120 {
             fall.advance(1.0 / 120.0);
             assert!(fall.position.x < 0.06, "{fall:?}");

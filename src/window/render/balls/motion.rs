@@ -7,6 +7,7 @@ use bevy::prelude::*;
 
 use crate::game::replay::Replay;
 use crate::physics::ball::Motion;
+use crate::physics::laws::motion::Cloth;
 use crate::sim::clock::Clock;
 use crate::sim::components::{AngularVelocity, MotionKind, Position, Radius, Velocity};
 use crate::sim::playfield::Playfield;
@@ -98,7 +99,11 @@ pub(super) fn follow(
             let pocket = DVec3::new(here.x, 0.0, here.z);
             let fall = track.fall.get_or_insert_with(|| {
                 let room = nearest_room(&playfield, pocket) - radius.0;
-                Fall::new(start, pocket, room, last.cross(DVec3::Y) * radius.0)
+                // A table without cloth has no weight to fall by, but it has pockets.
+                let weight = playfield.laws.motion.gravity();
+                let gravity = weight.unwrap_or_else(|| Cloth::default().gravity);
+                let velocity = last.cross(DVec3::Y) * radius.0;
+                Fall::new(start, pocket, room, velocity, gravity)
             });
             fall.advance(clock.tick);
             track.now = fall.position;

@@ -203,11 +203,10 @@ fn parts(table: &Table, style: TableStyle) -> Vec<Part> {
     }
 
     let mut rims = Part::new(Surface::Rim, DVec3::X, false);
-    let mut inside = Part::new(Surface::Hole, DVec3::X, false);
     let mut metal = Part::new(Surface::Metal, DVec3::X, false);
     for pocket in &table.pockets {
-        pockets::rim(&mut rims.solid, pocket, &measures);
-        pockets::inside(&mut rims.solid, &mut inside.solid, pocket);
+        pockets::lip(&mut bed.solid, pocket, &measures);
+        pockets::leather(&mut rims.solid, pocket, &measures, style);
         if style != TableStyle::Modern {
             pockets::ring(&mut metal.solid, pocket, &measures);
         }
@@ -229,6 +228,6 @@ fn parts(table: &Table, style: TableStyle) -> Vec<Part> {
         }
     }
     vec![
-        bed, bottom, cushions, long, short, upright, rims, inside, metal, pearl, marks,
+        bed, bottom, cushions, long, short, upright, rims, metal, pearl, marks,
     ]
 }

@@ -10,7 +10,7 @@ use crate::window::render::table::noses::Noses;
 
 /// Distance from the nose line towards the middle in nose heights, and how dark the cloth is there.
 const PROFILE: [(f64, f32); 6] = [
-    (-0.494, 0.85),
+    (-0.5, 0.85),
     (0.0, 0.6),
     (0.3, 0.34),
     (0.7, 0.16),
@@ -26,7 +26,7 @@ pub(super) fn below_noses(table: &Table) -> Mesh {
         let first = points.len() as u32;
         for point in &nose {
             for (away, dark) in PROFILE {
-                let at = point.at + (away * measures.nose).max(-0.9 * point.room) * point.normal;
+                let at = point.at + (away * measures.nose).max(-point.room) * point.normal;
                 points.push([at.x as f32, 3e-4, at.y as f32]);
                 colours.push([1.0, 1.0, 1.0, dark]);
             }

@@ -100,11 +100,15 @@ impl Surfaces {
         };
         let rim = StandardMaterial {
             normal_map_texture: Some(images.add(hide(anisotropy))),
-            ..match finish.style {
-                TableStyle::Classic => plain(Color::srgb(0.20, 0.105, 0.06), 0.52),
-                TableStyle::Modern => plain(Color::srgb(0.05, 0.05, 0.052), 0.42),
-                TableStyle::BarBox => plain(Color::srgb(0.035, 0.035, 0.037), 0.65),
-            }
+            // The colours are in the leather itself.
+            ..plain(
+                Color::WHITE,
+                match finish.style {
+                    TableStyle::Classic => 0.52,
+                    TableStyle::Modern => 0.42,
+                    TableStyle::BarBox => 0.65,
+                },
+            )
         };
         let metal = StandardMaterial {
             metallic: 1.0,

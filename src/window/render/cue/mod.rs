@@ -1,5 +1,7 @@
 //! The cue stick: it lies along the aim, pulls back, strikes and fades away.
 
+mod stick;
+
 use bevy::math::DVec3;
 use bevy::prelude::*;
 
@@ -11,10 +13,6 @@ use crate::sim::components::{BallIndex, MotionKind, Position, Radius};
 use crate::sim::messages::Struck;
 use crate::sim::playfield::Playfield;
 use crate::window::render::Drawing;
-use crate::window::render::solid::{Solid, lathe};
-
-/// Length of the stick, m.
-const LENGTH: f64 = 1.47;
 
 /// Gap between tip and ball at address, m.
 const ADDRESS: f64 = 0.012;
@@ -34,13 +32,25 @@ pub(super) fn plugin(app: &mut App) {
         .add_systems(Startup, make.in_set(Drawing::Cue))
         .add_systems(
             RunFixedMainLoop,
-            (strike, show).chain().in_set(Drawing::Cue),
+            (
+                turn.run_if(resource_exists_and_changed::<Playfield>),
+                strike,
+                show,
+            )
+                .chain()
+                .in_set(Drawing::Cue),
         );
 }
 
-/// The stick. Its mesh lies along −x from the tip at the origin.
+/// The stick. Its meshes lie along −x from the tip at the origin.
 #[derive(Component)]
 struct Stick;
+
+/// A part of the stick: polished, or not.
+#[derive(Component)]
+struct Finish {
+    polished: bool,
+}
 
 /// The stroke that is being shown.
 #[derive(Resource, Default)]
@@ -51,106 +61,46 @@ struct Stroke {
     age: f32,
 }
 
-fn make(
+fn make(mut commands: Commands, mut materials: ResMut<Assets<StandardMaterial>>) {
+    let mut finish = |polished: bool| {
+        let material = StandardMaterial {
+            perceptual_roughness: if polished { 0.26 } else { 0.82 },
+            reflectance: if polished { 0.5 } else { 0.25 },
+            ..default()
+        };
+        (
+            Finish { polished },
+            MeshMaterial3d(materials.add(material)),
+            Transform::default(),
+        )
+    };
+    commands.spawn((
+        Stick,
+        Transform::default(),
+        Visibility::Hidden,
+        children![finish(true), finish(false)],
+    ));
+}
+
+/// Turns the stick of the cue that is played with.
+fn turn(
     mut commands: Commands,
     mut meshes: ResMut<Assets<Mesh>>,
-    mut materials: ResMut<Assets<StandardMaterial>>,
+    playfield: Res<Playfield>,
+    parts: Query<(Entity, &Finish)>,
+    mut turned: Local<Option<Cue>>,
 ) {
-    // From the tip to the butt: from, to, radius there and there, colour.
-    let parts = [
-        (
-            0.0,
-            0.008,
-            0.0058,
-            0.0062,
-            Color::srgb(0.10, 0.25, 0.42),
-            0.9,
-        ),
-        (
-            0.008,
-            0.03,
-            0.0062,
-            0.0064,
-            Color::srgb(0.90, 0.88, 0.82),
-            0.35,
-        ),
-        (
-            0.03,
-            0.74,
-            0.0064,
-            0.0098,
-            Color::srgb(0.72, 0.52, 0.31),
-            0.35,
-        ),
-        (
-            0.74,
-            0.755,
-            0.0100,
-            0.0101,
-            Color::srgb(0.80, 0.74, 0.55),
-            0.25,
-        ),
-        (
-            0.755,
-            1.06,
-            0.0101,
-            0.0122,
-            Color::srgb(0.20, 0.06, 0.035),
-            0.25,
-        ),
-        (
-            1.06,
-            1.36,
-            0.0123,
-            0.0138,
-            Color::srgb(0.035, 0.035, 0.04),
-            0.6,
-        ),
-        (
-            1.36,
-            1.44,
-            0.0138,
-            0.0142,
-            Color::srgb(0.20, 0.06, 0.035),
-            0.25,
-        ),
-        (
-            1.44,
-            LENGTH,
-            0.0142,
-            0.0135,
-            Color::srgb(0.03, 0.03, 0.03),
-            0.7,
-        ),
-    ];
-    let stick = commands
-        .spawn((Stick, Transform::default(), Visibility::Hidden))
-        .id();
-    for (from, to, thin, thick, colour, roughness) in parts {
-        let mut solid = Solid::new(DVec3::Y, 0.1);
-        let dome = if from == 0.0 { 0.0015 } else { 0.0 };
-        let mut profile = vec![(thin, dome), (thick, to - from)];
-        if from == 0.0 {
-            profile.insert(0, (0.55 * thin, 0.3 * dome));
-            profile.insert(0, (0.0, 0.0));
-        }
-        if to == LENGTH {
-            profile.push((0.0, to - from));
-        }
-        lathe(&mut solid, DVec3::ZERO, &profile, 24);
-        commands.spawn((
-            ChildOf(stick),
-            Mesh3d(meshes.add(solid.mesh())),
-            MeshMaterial3d(materials.add(StandardMaterial {
-                base_color: colour,
-                perceptual_roughness: roughness,
-                reflectance: 0.4,
-                ..default()
-            })),
-            // The lathe turns about y; the stick lies along −x.
-            Transform::from_xyz(-(from as f32), 0.0, 0.0)
-                .with_rotation(Quat::from_rotation_z(std::f32::consts::FRAC_PI_2)),
-        ));
+    let cue = playfield.cue;
+    let shape = |cue: &Cue| (cue.stick, cue.tip_radius);
+    if parts.is_empty() || turned.as_ref().is_some_and(|old| shape(old) == shape(&cue)) {
+        return;
+    }
+    *turned = Some(cue);
+    let stick::Stick { polished, matt } = stick::stick(&cue);
+    let [polished, matt] = [polished, matt].map(|solid| meshes.add(solid.mesh()));
+    for (part, finish) in &parts {
+        let mesh = if finish.polished { &polished } else { &matt };
+        commands.entity(part).insert(Mesh3d(mesh.clone()));
     }
 }
 
