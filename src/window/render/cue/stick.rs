@@ -96,10 +96,14 @@ struct Turner {
 }
 
 impl Turner {
+    /// How thick half the stick is at a length.
+    fn radius(&self, along: f64) -> f64 {
+        self.thin + (self.thick - self.thin) * (along / self.length).clamp(0.0, 1.0)
+    }
+
     /// A point of the surface and the way out of it there.
     fn at(&self, side: u32, along: f64) -> (DVec3, DVec3) {
-        let radius = self.thin + (self.thick - self.thin) * (along / self.length).clamp(0.0, 1.0);
-        round(side, along, radius)
+        round(side, along, self.radius(along))
     }
 
     /// A face of one side between two lengths, each given on both edges of the side.
@@ -192,11 +196,11 @@ impl Turner {
     /// The end of the butt: rubber with a rounded edge.
     fn bumper(&self, solid: &mut Solid) {
         solid.dye(RUBBER, 1.0);
-        let (from, round_off) = (CAP * self.length, 0.004);
+        let (from, edge) = (CAP * self.length, self.length - 0.004);
         let rows = [
-            (from, self.thick, 0.0),
-            (self.length - round_off, self.thick, 0.0),
-            (self.length, self.thick - round_off, 0.7),
+            (from, self.radius(from), 0.0),
+            (edge, self.radius(edge), 0.0),
+            (self.length, 0.75 * self.thick, 0.7),
             (self.length, 0.0, 1.0),
         ];
         for pair in rows.windows(2) {

@@ -118,11 +118,16 @@ pub(super) fn legs(solid: &mut Solid, measures: &Measures, style: TableStyle) {
     }
 }
 
+/// How thick legs are beside those of a nine-foot table: they are as long under a small one, and must not look like stilts.
+fn stout(measures: &Measures) -> f64 {
+    libm::pow(measures.scale, 0.6)
+}
+
 /// Four turned legs.
 fn turned_legs(solid: &mut Solid, measures: &Measures) {
-    let s = measures.scale;
+    let s = stout(measures);
     let deep = measures.apron;
-    let place = measures.outer() - 0.17 * s;
+    let place = measures.outer() - 0.07 * measures.scale - 0.1 * s;
     let profile = [
         (0.055, -FLOOR),
         (0.06, 0.03 - FLOOR),
@@ -142,9 +147,9 @@ fn turned_legs(solid: &mut Solid, measures: &Measures) {
 
 /// Four square legs, this many metres thick on each side of their middle, leaning outwards by this share.
 fn straight_legs(solid: &mut Solid, measures: &Measures, half: f64, taper: f64) {
-    let s = measures.scale;
+    let s = stout(measures);
     let (low, high) = (-FLOOR, measures.apron + 0.01);
-    let place = measures.outer() - (0.06 + half) * s;
+    let place = measures.outer() - 0.06 * measures.scale - half * s;
     for (x, z) in [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)] {
         let at = place * DVec2::new(x, z);
         let ring = [(-1.0, -1.0), (-1.0, 1.0), (1.0, 1.0), (1.0, -1.0)];

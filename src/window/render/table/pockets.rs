@@ -172,7 +172,7 @@ fn stitch(solid: &mut Solid, [a, b]: [DVec3; 2], normal: DVec3, across: DVec3, r
 
 /// A net of cords that narrows to the bottom, before the dark.
 fn net(solid: &mut Solid, pocket: &Pocket, hide: &Hide) {
-    let bag = |deep: f64| pocket.radius * (1.0 - 0.42 * deep * deep);
+    let bag = |deep: f64| pocket.radius * (1.0 - 0.3 * deep * deep);
     let height = |deep: f64| -LINED - deep * (DEEP - LINED);
     solid.dye(PIT, 1.0);
     let rows: Vec<_> = (0..=4)
