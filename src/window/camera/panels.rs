@@ -27,7 +27,7 @@ pub(in crate::window) fn plugin(app: &mut App) {
         .add_systems(
             EguiPrimaryContextPass,
             note.after(WindowSystems::Overlay)
-                .before(WindowSystems::Menu)
+                .before(WindowSystems::Photo)
                 .run_if(at_table()),
         );
 }
