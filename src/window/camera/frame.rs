@@ -13,7 +13,7 @@ pub(super) const WHOLE: Rect = Rect {
 const GIVE_WAY: f32 = 0.16;
 
 /// If what is left shows the table smaller than this share of its size in the whole picture, the panels stay over it.
-const LEAST: f32 = 0.4;
+const LEAST: f32 = 0.3;
 
 /// What a frame depends on.
 #[derive(Clone, Debug, Default, PartialEq)]

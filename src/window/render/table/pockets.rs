@@ -42,7 +42,7 @@ impl Hide {
             TableStyle::Classic => Self {
                 leather: Color::srgb(0.30, 0.155, 0.085),
                 cord: Color::srgb(0.62, 0.45, 0.27),
-                thread: Color::srgb(0.80, 0.68, 0.46),
+                thread: Color::srgb(0.66, 0.53, 0.34),
             },
             TableStyle::Modern => Self {
                 leather: Color::srgb(0.065, 0.065, 0.068),
@@ -181,7 +181,7 @@ fn net(solid: &mut Solid, pocket: &Pocket, hide: &Hide) {
         .collect();
     sweep(solid, pocket, &rows, |_| true);
     floor(solid, pocket, bag(1.0) + 0.002);
-    solid.dye(hide.cord, 1.6);
+    solid.dye(hide.cord, 0.9);
     const CORDS: u32 = 14;
     const STEPS: u32 = 7;
     for cord in 0..CORDS {
