@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use crate::physics::ball::{Ball, Motion, State};
 use crate::physics::contact::{Track, flight};
 use crate::physics::laws::Laws;
+use crate::physics::laws::cluster::{Inside, Other, SLOW, inside, put_off};
 use crate::physics::laws::pocket::PocketLaw;
 use crate::physics::record::EventKind;
 use crate::physics::roots::RootError;
@@ -24,6 +25,18 @@ pub enum Landing {
     Bottom(usize),
     /// On a rail, or on the floor.
     Off,
+}
+
+impl Landing {
+    /// What it is that touches, if the fall may go on.
+    #[must_use]
+    pub fn other(self) -> Option<Other> {
+        match self {
+            Self::Rim(pocket) => Some(Other::Rim(pocket as u32)),
+            Self::Wall(pocket) => Some(Other::Wall(pocket as u32)),
+            Self::Slate | Self::Bottom(_) | Self::Off => None,
+        }
+    }
 }
 
 fn plan(track: &Track, time: f64) -> DVec2 {
@@ -73,7 +86,8 @@ pub fn ground(
     }
 }
 
-/// When within `horizon` s a ball with this motion meets the inside of a pocket.
+/// When within `horizon` s a ball with this motion meets the inside of a pocket. `ages` tells how many seconds ago it last
+/// touched it; see [`put_off`].
 ///
 /// # Errors
 /// [`RootError`] if a number is not finite.
@@ -84,6 +98,7 @@ pub fn pocket(
     (radius, motion): (f64, Motion),
     track: &Track,
     horizon: f64,
+    ages: impl Fn(Other) -> f64,
 ) -> Result<Option<(f64, Landing)>, RootError> {
     let PocketLaw::Rim(rim) = laws.pocket else {
         return Ok(None);
@@ -93,11 +108,15 @@ pub fn pocket(
         .filter(|time| plan(track, *time).distance(hole.center) < hole.radius)
         .map(|time| (time, Landing::Bottom(index)));
     if motion == Motion::Airborne {
-        let top = table.nose_height + radius;
-        let sides = (rim.edge, table.outward(hole.center), top);
         let until = first.map_or(horizon, |(time, _)| time);
-        let wall = flight::wall(track, hole, sides, radius, until)?;
+        let wall = flight::wall(track, (table, hole), rim.edge, radius, until)?.map(|wait| {
+            put_off(wait, ages(Other::Wall(index as u32)), |time| {
+                flight::overlap_of_wall(track, hole, rim.edge, radius, time)
+            })
+        });
+        let wall = wall.filter(|wait| *wait <= until);
         let until = wall.unwrap_or(until);
+        // One that sinks into the edge slowly is let wait by the search itself.
         let edge = flight::rim(track, hole, rim.edge, radius, until)?;
         first = edge
             .map(|time| (time, Landing::Rim(index)))
@@ -116,21 +135,25 @@ pub fn land(
     state: &State,
     landing: Landing,
 ) -> (EventKind, State, f64) {
-    let blow = |kind: EventKind, after: State| {
-        let impulse = ball.mass * (after.velocity - state.velocity).length();
-        (kind, after, impulse)
-    };
     match landing {
         Landing::Slate => {
             let mut landed = laws.slate.land(ball, state);
             landed.position.y = ball.radius;
-            blow(EventKind::Slate, laws.motion.classify(ball, landed))
+            let after = laws.motion.classify(ball, landed);
+            let impulse = ball.mass * (after.velocity - state.velocity).length();
+            (EventKind::Slate, after, impulse)
         }
         Landing::Rim(pocket) | Landing::Wall(pocket) => {
-            let hole = &table.pockets[pocket];
             let on_edge = matches!(landing, Landing::Rim(_));
-            let after = laws.rattle(hole, ball, state, on_edge);
-            blow(EventKind::Rim { pocket }, after)
+            let kind = EventKind::Rim { pocket };
+            let met = landing.other();
+            let met = met.and_then(|what| inside(laws, table, (ball, state), what));
+            let Some(Inside { normal, .. }) = met else {
+                return (kind, *state, 0.0);
+            };
+            let after = laws.rattle((ball, state), on_edge, normal, None);
+            let impulse = ball.mass * (after.velocity - state.velocity).dot(normal);
+            (kind, laws.settled(table, ball, &after), impulse)
         }
         Landing::Bottom(pocket) => {
             let after = laws.pocket.captured(&table.pockets[pocket]);
@@ -142,6 +165,20 @@ pub fn land(
             (EventKind::OffTable, gone, 0.0)
         }
     }
+}
+
+/// Whether a ball that touches this part of a pocket comes and leaves too fast for lasting contact.
+#[must_use]
+pub fn is_fast(
+    (table, laws, ball): (&Table, &Laws, &Ball),
+    before: &State,
+    after: &State,
+    what: Other,
+) -> bool {
+    let met = inside(laws, table, (ball, before), what);
+    met.is_some_and(|Inside { normal, .. }| {
+        before.velocity.dot(normal) <= -SLOW && after.velocity.dot(normal) >= SLOW
+    })
 }
 
 /// What happens to a ball on the slate whose centre passes the edge of a pocket.

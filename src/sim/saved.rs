@@ -47,7 +47,13 @@ impl SavedTable {
         let crowd = self.scene.solver.is_crowd();
         let other = lists.into_iter().find(|length| !crowd && *length != count);
         let balls = |event: &Event| event.participants().map(|one| one.ball).max();
-        let told = self.events.iter().filter_map(balls).max();
+        let touched = self.touched.iter().flatten();
+        let met = |(what, _): &(Other, f64)| match what {
+            Other::Ball(ball) => Some(*ball as usize),
+            Other::Cushion(_) | Other::Rim(_) | Other::Wall(_) => None,
+        };
+        let told = self.events.iter().filter_map(balls);
+        let told = told.chain(touched.clone().filter_map(met)).max();
         if let Some(ball) = other.or(told.filter(|ball| *ball >= count)) {
             return Err(SolveError::NoSuchBall { ball, count });
         }

@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3};
 
 use crate::physics::contact::{Track, circle, plan_circle};
 use crate::physics::roots::{RootError, quadratic};
-use crate::physics::table::{Cushion, Nose, Pocket};
+use crate::physics::table::{Cushion, Nose, Pocket, Table};
 
 /// Two that are nearer than this in m touch.
 const NEAR: f64 = 1e-13;
@@ -51,16 +51,7 @@ pub fn nose(
             Cushion::Arc(arc) => super::arc(track, arc, radius, horizon),
         };
     };
-    let gap = |time: f64| {
-        let position = track.at(time);
-        let velocity = track.velocity + time * track.acceleration;
-        let (distance, direction) = cushion.nearest(DVec2::new(position.x, position.z));
-        // The circle in profile around which the nose is rounded lies behind the nose line.
-        let (out, up) = (distance + rounding, position.y - height);
-        let length = (out * out + up * up).sqrt();
-        let speed = out * direction.dot(DVec2::new(velocity.x, velocity.z)) + up * velocity.y;
-        (length - radius - rounding, speed / length.max(1e-12))
-    };
+    let gap = |time: f64| round_gap(track, (cushion, rounding, height), radius, time);
     let bend = track.acceleration.length();
     let mut time = 0.0;
     for _ in 0..LIMIT {
@@ -89,6 +80,40 @@ pub fn nose(
     Err(failed(track, time))
 }
 
+/// How far a ball of this radius is from a rounded nose after this time, and how fast that grows.
+fn round_gap(
+    track: &Track,
+    (cushion, rounding, height): (&Cushion, f64, f64),
+    radius: f64,
+    time: f64,
+) -> (f64, f64) {
+    let position = track.at(time);
+    let velocity = track.velocity + time * track.acceleration;
+    let (distance, direction) = cushion.nearest(DVec2::new(position.x, position.z));
+    // The circle in profile around which the nose is rounded lies behind the nose line.
+    let (out, up) = (distance + rounding, position.y - height);
+    let length = (out * out + up * up).sqrt();
+    let speed = out * direction.dot(DVec2::new(velocity.x, velocity.z)) + up * velocity.y;
+    (length - radius - rounding, speed / length.max(1e-12))
+}
+
+/// How deep in m a ball in flight overlaps a nose at this height after this time, and how fast in m/s it grows.
+#[must_use]
+pub fn overlap_of_nose(
+    track: &Track,
+    (cushion, nose, height): (&Cushion, &Nose, f64),
+    radius: f64,
+    time: f64,
+) -> (f64, f64) {
+    match *nose {
+        Nose::Wall => track.overlap_of(cushion, radius, time),
+        Nose::Round { radius: rounding } => {
+            let (gap, opens) = round_gap(track, (cushion, rounding, height), radius, time);
+            (-gap, -opens)
+        }
+    }
+}
+
 /// When a falling ball of this radius meets the rounded edge of a pocket from inside. The edge is rounded with `edge` m,
 /// and its flat ends at the radius of the pocket. A ball that has just passed the end of the flat touches the edge without
 /// closing; if it then sinks into it, it meets it when it closes at a millimetre a second, 0.1 µm deep.
@@ -111,14 +136,9 @@ pub fn rim(
     let moment = (plan(track.position) - pocket.center).perp_dot(plan(track.velocity));
     // Distance to the edge, its rate, distance from the axis.
     let gap = |time: f64| {
-        let (position, velocity) = (track.at(time), track.velocity + time * track.acceleration);
-        let offset = plan(position) - pocket.center;
-        let from_axis = offset.length();
-        let (inward, up) = (pocket.radius - from_axis, position.y + edge);
-        let length = (inward * inward + up * up).sqrt();
-        let out = offset.normalize_or_zero().dot(plan(velocity));
-        let speed = (up * velocity.y - inward * out) / length.max(1e-12);
-        (length - radius - edge, speed, from_axis)
+        let at = pocket.at_edge(edge, track.at(time));
+        let velocity = track.velocity + time * track.acceleration;
+        (at.length - radius - edge, at.speed(velocity), at.from_axis)
     };
     let mut time = 0.0;
     for _ in 0..LIMIT {
@@ -153,33 +173,39 @@ pub fn rim(
     Err(failed(track, time))
 }
 
-/// When a falling ball of this radius meets the wall of a hole, or above the slate its liner, from inside. The wall is
-/// `edge` m behind the end of the flat; the liner stands away from the table, `outward` in plan, up to the height `top`
-/// of the centre.
+/// When a falling ball of this radius meets the wall of a hole, or above the slate its liner, from inside; see
+/// [`Table::has_wall`].
 ///
 /// # Errors
 /// [`RootError`] if a number is not finite.
 pub fn wall(
     track: &Track,
-    pocket: &Pocket,
-    (edge, outward, top): (f64, DVec2, f64),
+    (table, pocket): (&Table, &Pocket),
+    edge: f64,
     radius: f64,
     horizon: f64,
 ) -> Result<Option<f64>, RootError> {
-    let room = (pocket.radius - edge - radius).max(1e-6);
     // From inside the room is left when room² − d² falls through 0.
+    let room = pocket.room(edge, radius);
     let inside = plan_circle(track, pocket.center, room).map(|c| -c);
-    let Some(time) = circle(inside, horizon)? else {
-        return Ok(None);
-    };
-    let position = track.at(time);
+    let time = circle(inside, horizon)?;
+    Ok(time.filter(|time| table.has_wall(pocket, edge, radius, track.at(*time))))
+}
+
+/// How far in m a ball has left the room inside the wall of a hole after this time, and how fast in m/s that grows.
+#[must_use]
+pub fn overlap_of_wall(
+    track: &Track,
+    pocket: &Pocket,
+    edge: f64,
+    radius: f64,
+    time: f64,
+) -> (f64, f64) {
+    let (position, velocity) = (track.at(time), track.velocity + time * track.acceleration);
     let offset = DVec2::new(position.x, position.z) - pocket.center;
-    if offset.length() > pocket.radius {
-        return Ok(None);
-    }
-    let below = position.y <= -edge;
-    let at_liner = offset.dot(outward) > 0.0 && position.y < top;
-    Ok((below || at_liner).then_some(time))
+    let out = offset.normalize_or_zero();
+    let speed = out.dot(DVec2::new(velocity.x, velocity.z));
+    (offset.length() - pocket.room(edge, radius), speed)
 }
 
 fn failed(track: &Track, from: f64) -> RootError {

@@ -6,6 +6,7 @@ use crate::physics::exact::engine::Engine;
 use crate::physics::exact::predict::{Partner, Search};
 use crate::physics::exact::walls::Wall;
 use crate::physics::exact::{SolveError, Watch};
+use crate::physics::laws::cluster::{Other, put_off};
 use crate::physics::record::Event;
 use crate::physics::roots::RootError;
 
@@ -44,12 +45,16 @@ impl Engine {
                 let cushion = &table.cushions[index as usize];
                 let nose = (cushion, &table.nose, table.nose_height);
                 let wait = flight::nose(track, nose, radius, search.wait)?;
+                let overlap = |time| flight::overlap_of_nose(track, nose, radius, time);
+                let age = self.age(ball, Other::Cushion(index));
+                let wait = wait.map(|wait| put_off(wait, age, overlap));
                 search.offer(wait, Partner::Cushion(index));
             }
             Wall::Pocket(index) => {
                 let what = (radius, self.paths[ball].piece.start.motion);
                 let (laws, index) = (&self.laws, index as usize);
-                let found = airborne::pocket(table, laws, index, what, track, search.wait)?;
+                let ages = |other| self.age(ball, other);
+                let found = airborne::pocket(table, laws, index, what, track, search.wait, ages)?;
                 search.offer_landing(found);
             }
         }
@@ -72,6 +77,11 @@ impl Engine {
         self.predict(ball)
     }
 
+    /// How many seconds ago a ball touched something, infinity if never.
+    pub(super) fn age(&self, ball: usize, other: Other) -> f64 {
+        self.clock - self.touched[ball].last(other)
+    }
+
     /// A ball in flight comes down on something.
     pub(super) fn come_down(
         &mut self,
@@ -82,6 +92,13 @@ impl Engine {
         let before = self.state(ball);
         let (table, laws, body) = (&self.table, &self.laws, &self.bodies[ball]);
         let (kind, after, impulse) = airborne::land(table, laws, body, &before, landing);
+        if let Some(what) = landing.other() {
+            // A fast touch is over before anything else can be felt; slow ones are lasting contact, and of all that touches.
+            if !airborne::is_fast((table, laws, body), &before, &after, what) {
+                return self.collide(ball, Partner::Landing(landing), watch);
+            }
+            self.touched[ball].add(what, self.clock);
+        }
         self.set(ball, after, watch)?;
         self.leave(ball);
         let event = self.lone(ball, kind, before, after);

@@ -156,6 +156,9 @@ impl Engine {
             Other::Cushion(cushion) => Contact::RestingOnCushion {
                 cushion: cushion as usize,
             },
+            Other::Rim(pocket) | Other::Wall(pocket) => Contact::RestingInPocket {
+                pocket: pocket as usize,
+            },
         }
     }
 

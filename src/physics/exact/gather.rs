@@ -8,7 +8,8 @@ use crate::physics::exact::engine::Engine;
 use crate::physics::exact::predict::Partner;
 use crate::physics::exact::walls::{Area, Wall};
 use crate::physics::laws::cluster::{
-    CONTACT_TIME, DEEP, LEAN, Member, Other, TOUCH, leans, reach_of, touches,
+    CONTACT_TIME, DEEP, LEAN, Member, Other, TOUCH, leans, leans_inside, reach_of, touches,
+    touches_inside,
 };
 use crate::physics::laws::pocket::PocketLaw;
 use crate::physics::table::Pocket;
@@ -62,6 +63,11 @@ impl Engine {
         Ok(())
     }
 
+    pub(super) fn touch_inside(&mut self, first: usize, what: Other) {
+        self.cluster
+            .touch_inside(&self.laws, &self.table, first, what);
+    }
+
     /// Adds everything that touches the members, and what touches that; with `squeezed` also what they lean on.
     pub(super) fn gather(&mut self, partner: Partner, squeezed: bool) -> Result<(), SolveError> {
         let mut place = 0;
@@ -100,7 +106,7 @@ impl Engine {
                 }
             }
             self.near = near;
-            self.gather_cushions(place, partner)?;
+            self.gather_walls(place, partner)?;
             if squeezed {
                 self.gather_leaning(place, partner)?;
             }
@@ -136,12 +142,17 @@ impl Engine {
                         self.touch_cushion(place, cushion)?;
                     }
                 }
+                Other::Rim(_) | Other::Wall(_) => {
+                    if leans_inside(&self.laws, &self.table, (&body, &state), what) {
+                        self.touch_inside(place, what);
+                    }
+                }
             }
         }
         Ok(())
     }
 
-    pub(super) fn gather_cushions(
+    pub(super) fn gather_walls(
         &mut self,
         place: usize,
         partner: Partner,
@@ -167,14 +178,26 @@ impl Engine {
                 None => index,
             };
             let (wall, area) = self.walls.list[index];
-            let Wall::Cushion(cushion) = wall else {
-                continue;
-            };
-            if !area.meets(&here) || (place == 0 && partner == Partner::Cushion(cushion)) {
+            if !area.meets(&here) {
                 continue;
             }
-            if touches(&self.table.cushions[cushion as usize], point, reach) {
-                self.touch_cushion(place, cushion)?;
+            let met = |what| place == 0 && partner == Partner::from(what);
+            match wall {
+                Wall::Cushion(cushion) => {
+                    let touches = touches(&self.table.cushions[cushion as usize], point, reach);
+                    if touches && !met(Other::Cushion(cushion)) {
+                        self.touch_cushion(place, cushion)?;
+                    }
+                }
+                Wall::Pocket(pocket) => {
+                    for what in [Other::Rim(pocket), Other::Wall(pocket)] {
+                        let Member { body, state, .. } = &self.cluster.members[place];
+                        let touches = touches_inside(&self.laws, &self.table, (body, state), what);
+                        if touches && !met(what) {
+                            self.touch_inside(place, what);
+                        }
+                    }
+                }
             }
         }
         Ok(())

@@ -29,6 +29,11 @@ impl Engine {
                 self.touch_balls(0, 1)?;
             }
             Partner::Cushion(cushion) => self.touch_cushion(0, cushion)?,
+            Partner::Landing(landing) => {
+                if let Some(what) = landing.other() {
+                    self.touch_inside(0, what);
+                }
+            }
             _ => {}
         }
         self.resolve(partner, Blow::Impact, watch)
@@ -95,6 +100,7 @@ impl Engine {
         let (kind, second) = match contact.against {
             Against::Ball { member } => (EventKind::BallBall, Some(participant(member))),
             Against::Cushion { cushion } => (EventKind::Cushion { cushion }, None),
+            Against::Rim { pocket } | Against::Wall { pocket } => (EventKind::Rim { pocket }, None),
         };
         let other = self.cluster.other(contact);
         self.touched[first.ball].add(other, self.clock);

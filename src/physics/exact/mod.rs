@@ -73,6 +73,11 @@ pub enum Contact {
         /// Index of the cushion.
         cushion: usize,
     },
+    /// It leans on the edge or the wall of a pocket.
+    RestingInPocket {
+        /// Index of the pocket.
+        pocket: usize,
+    },
 }
 
 /// Why a scene cannot be advanced.

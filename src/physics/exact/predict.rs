@@ -31,6 +31,8 @@ impl From<Other> for Partner {
         match other {
             Other::Ball(ball) => Self::Ball(ball),
             Other::Cushion(cushion) => Self::Cushion(cushion),
+            Other::Rim(pocket) => Self::Landing(Landing::Rim(pocket as usize)),
+            Other::Wall(pocket) => Self::Landing(Landing::Wall(pocket as usize)),
         }
     }
 }
@@ -249,7 +251,7 @@ impl Engine {
         other: usize,
         (wait, horizon): (Option<f64>, f64),
     ) -> Option<f64> {
-        let age = self.clock - self.touched[ball].last(Other::Ball(other as u32));
+        let age = self.age(ball, Other::Ball(other as u32));
         let wait = put_off(wait?, age, |time| {
             let reach = self.flights[ball].radius + self.flights[other].radius;
             track.overlap(&self.seen(other), reach, time)
@@ -306,7 +308,7 @@ impl Engine {
                     Cushion::Line(line) => contact::line(track, line, reach, search.wait)?,
                     Cushion::Arc(arc) => contact::arc(track, arc, reach, search.wait)?,
                 };
-                let age = self.clock - self.touched[ball].last(Other::Cushion(index));
+                let age = self.age(ball, Other::Cushion(index));
                 let overlap = |time| track.overlap_of(cushion, reach, time);
                 wait.map(|wait| put_off(wait, age, overlap))
             }

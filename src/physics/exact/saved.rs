@@ -84,6 +84,10 @@ impl Engine {
             | Partner::Motion
             | Partner::Nothing => true,
         };
+        let mut known = ball.touched.iter();
+        if let Some((what, time)) = known.find(|(what, _)| !is_there(Partner::from(*what))) {
+            return refuse(format!("touched {what:?} at {time} s"));
+        }
         let next = ball
             .next
             .filter(|(time, partner, _)| !time.is_finite() || !is_there(*partner));

@@ -14,7 +14,7 @@ pub mod restitution;
 mod rub;
 pub mod slate;
 
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 use serde::{Deserialize, Serialize};
 
 use crate::physics::ball::{Ball, Motion, State};
@@ -105,16 +105,32 @@ impl Laws {
         state
     }
 
-    /// A falling ball after it met the edge of a pocket, or else its wall or liner.
+    /// A falling ball after it met the edge of a pocket, or else its wall or liner, away from which the unit vector `normal`
+    /// points; `restitution` is in place of the law's own.
     #[must_use]
-    pub fn rattle(&self, pocket: &Pocket, ball: &Ball, state: &State, on_edge: bool) -> State {
+    pub fn rattle(
+        &self,
+        (ball, state): (&Ball, &State),
+        on_edge: bool,
+        normal: DVec3,
+        restitution: Option<f64>,
+    ) -> State {
         let mut after = match self.pocket {
-            PocketLaw::Rim(rim) if on_edge => rim.off_edge(&self.slate, pocket, ball, state),
-            PocketLaw::Rim(rim) => rim.off_wall(pocket, state),
+            PocketLaw::Rim(_) if on_edge => self.slate.bounce(ball, state, normal, restitution),
+            PocketLaw::Rim(rim) => rim.off_wall(state, normal, restitution),
             PocketLaw::Capture => *state,
         };
         after.motion = Motion::Airborne;
         after
+    }
+
+    /// Restitution of the edge of a pocket, or else of its wall.
+    #[must_use]
+    pub fn rattle_restitution(&self, on_edge: bool) -> f64 {
+        match self.pocket {
+            PocketLaw::Rim(rim) if !on_edge => rim.liner_restitution,
+            PocketLaw::Rim(_) | PocketLaw::Capture => self.slate.restitution(),
+        }
     }
 
     /// A ball after a blow, with the slate's answer and the label of motion that it deserves.

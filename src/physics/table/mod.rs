@@ -2,6 +2,7 @@
 
 mod build;
 mod ground;
+mod hole;
 mod nose;
 mod peg_board;
 mod presets;
@@ -9,6 +10,7 @@ mod spots;
 
 pub use build::{Mouth, PocketedTable};
 pub use ground::{FLOOR, Ground, RAIL};
+pub use hole::AtEdge;
 pub use nose::Nose;
 pub use peg_board::PegBoard;
 pub use presets::Preset;

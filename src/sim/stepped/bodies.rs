@@ -125,11 +125,16 @@ impl Bodies {
         (wait, time): (f64, f64),
         overlap: impl Fn(f64) -> (f64, f64),
     ) -> f64 {
-        if !self.locate {
-            return wait;
+        cluster::put_off(wait, self.age(ball, other, time), overlap)
+    }
+
+    /// How many seconds before a time of the tick a ball touched something; infinity if never, or where contacts have no times.
+    pub(super) fn age(&self, ball: usize, other: Other, time: f64) -> f64 {
+        if self.locate {
+            self.start + time - self.touched[ball].last(other)
+        } else {
+            f64::INFINITY
         }
-        let age = self.start + time - self.touched[ball].last(other);
-        cluster::put_off(wait, age, overlap)
     }
 
     /// The latest time of the tick at which a contact found at `time` may lie.

@@ -29,6 +29,18 @@ pub(super) enum Kind {
     Ball(usize, u32),
 }
 
+impl Kind {
+    /// What it is that touches, if it is something.
+    pub(super) fn other(self) -> Option<Other> {
+        match self {
+            Self::Ball(ball, _) => Some(Other::Ball(ball as u32)),
+            Self::Cushion(cushion) => Some(Other::Cushion(cushion as u32)),
+            Self::Landing(landing) => landing.other(),
+            Self::Change | Self::Pocket(_) => None,
+        }
+    }
+}
+
 /// One thing that will happen if no path changes before.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Contact {
@@ -152,12 +164,14 @@ impl Contacts {
         let Some(mut met) = self.found(ball, met) else {
             return;
         };
-        if !body.flies() {
-            let other = Other::Cushion(cushion as u32);
-            met = bodies.put_off(ball, other, (met, time), |later| {
-                track.overlap_of(what, reach, later)
-            });
-        }
+        let other = Other::Cushion(cushion as u32);
+        met = bodies.put_off(ball, other, (met, time), |later| {
+            if body.flies() {
+                let nose = (what, &table.nose, table.nose_height);
+                return flight::overlap_of_nose(&track, nose, body.ball.radius, later);
+            }
+            track.overlap_of(what, reach, later)
+        });
         if met <= left {
             self.push(body, ball, Kind::Cushion(cushion), time + met);
         }
@@ -177,7 +191,8 @@ impl Contacts {
         let left = (bodies.horizon(time).min(body.change()) - time).max(0.0);
         if body.flies() {
             let what = (body.ball.radius, body.piece.start.motion);
-            let met = airborne::pocket(table, laws, pocket, what, &body.track(time), left);
+            let ages = |other| bodies.age(ball, other, time);
+            let met = airborne::pocket(table, laws, pocket, what, &body.track(time), left, ages);
             self.land(bodies, ball, met, time);
             return;
         }

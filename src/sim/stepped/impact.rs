@@ -3,8 +3,8 @@
 use glam::DVec2;
 
 use crate::physics::laws::cluster::{
-    Against, Blow, CONTACT_TIME, Cluster, LEAN, Member, Other, TOUCH, Touching, leans, reach_of,
-    touches,
+    Against, Blow, CONTACT_TIME, Cluster, LEAN, Member, Other, TOUCH, Touching, leans,
+    leans_inside, reach_of, touches, touches_inside,
 };
 use crate::physics::record::{Event, EventKind, Participant};
 use crate::sim::playfield::Playfield;
@@ -52,7 +52,11 @@ impl Impact {
                 let (laws, table) = (&playfield.laws, &playfield.table);
                 self.cluster.touch_cushion(laws, table, 0, cushion);
             }
-            _ => {}
+            kind => {
+                if let Some(what) = kind.other() {
+                    self.touch_inside(playfield, 0, what);
+                }
+            }
         }
         self.resolve(
             bodies,
@@ -79,6 +83,11 @@ impl Impact {
         self.cluster.join(ball, body.ball, body.at(time))
     }
 
+    fn touch_inside(&mut self, playfield: &Playfield, place: usize, what: Other) {
+        let (laws, table) = (&playfield.laws, &playfield.table);
+        self.cluster.touch_inside(laws, table, place, what);
+    }
+
     fn resolve(
         &mut self,
         bodies: &mut Bodies,
@@ -92,10 +101,8 @@ impl Impact {
         self.gather(bodies, grid, playfield, (time, kind, squeezed));
         for contact in &mut self.cluster.contacts {
             let ball = self.cluster.members[contact.first].ball;
-            let other = match contact.against {
-                Against::Ball { member } => self.cluster.members[member].ball,
-                Against::Cushion { .. } => ball,
-            };
+            let other = contact.against.member();
+            let other = other.map_or(ball, |member| self.cluster.members[member].ball);
             let impacts = bodies.all[ball].impacts.max(bodies.all[other].impacts);
             contact.restitution = (impacts >= BOUNCES).then_some(0.0);
         }
@@ -165,10 +172,41 @@ impl Impact {
                 let cushion = self.near[index];
                 self.cluster.touch_cushion(laws, table, place, cushion);
             }
+            self.gather_inside(bodies, grid, playfield, (place, kind));
             if squeezed {
                 self.gather_leaning(bodies, playfield, place, (time, kind));
             }
             place += 1;
+        }
+    }
+
+    /// Adds what a member touches of pockets.
+    fn gather_inside(
+        &mut self,
+        bodies: &Bodies,
+        grid: &Grid,
+        playfield: &Playfield,
+        (place, kind): (usize, Kind),
+    ) {
+        let (laws, table) = (&playfield.laws, &playfield.table);
+        let Member { ball, body, state } = self.cluster.members[place];
+        if !state.motion.flies() {
+            return;
+        }
+        self.near.clear();
+        grid.pockets(table, &bodies.all[ball].cells, |pocket| {
+            self.near.push(pocket);
+        });
+        self.near.sort_unstable();
+        self.near.dedup();
+        for index in 0..self.near.len() {
+            let pocket = self.near[index];
+            for what in [Other::Rim(pocket as u32), Other::Wall(pocket as u32)] {
+                let met = place == 0 && kind.other() == Some(what);
+                if !met && touches_inside(laws, table, (&body, &state), what) {
+                    self.touch_inside(playfield, place, what);
+                }
+            }
         }
     }
 
@@ -209,6 +247,12 @@ impl Impact {
                         self.cluster.touch_cushion(laws, table, place, cushion);
                     }
                 }
+                Other::Rim(_) | Other::Wall(_) => {
+                    let met = place == 0 && kind.other() == Some(what);
+                    if !met && leans_inside(laws, table, (&body, &state), what) {
+                        self.touch_inside(playfield, place, what);
+                    }
+                }
             }
         }
     }
@@ -223,6 +267,7 @@ impl Impact {
         let (kind, second) = match contact.against {
             Against::Ball { member } => (EventKind::BallBall, Some(participant(member))),
             Against::Cushion { cushion } => (EventKind::Cushion { cushion }, None),
+            Against::Rim { pocket } | Against::Wall { pocket } => (EventKind::Rim { pocket }, None),
         };
         let other = self.cluster.other(contact);
         let ball = self.cluster.members[contact.first].ball;

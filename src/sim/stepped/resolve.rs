@@ -48,8 +48,7 @@ pub(super) fn resolve(
             }
             0.0
         } else if let Some(contact) = contacts.next(&bodies) {
-            let meets = matches!(contact.kind, Kind::Ball(..) | Kind::Cushion(_));
-            if meets && bodies.locate {
+            if contact.kind.other().is_some() && bodies.locate {
                 impact.meet(&mut bodies, &grid, &playfield, &contact);
             } else {
                 impact

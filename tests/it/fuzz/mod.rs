@@ -14,6 +14,7 @@ mod saved_tables;
 mod scenes;
 mod sound;
 mod texts;
+mod wedged;
 mod whims;
 
 use std::fmt::Debug;

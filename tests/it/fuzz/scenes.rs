@@ -93,7 +93,7 @@ fn extreme_break() -> impl Strategy<Value = Scene> {
 }
 
 /// Runs a check and writes the scene down if it fails.
-fn keep(
+pub fn keep(
     name: &str,
     scene: &Scene,
     check: impl Fn(&Scene) -> Result<u64, String>,

@@ -5,7 +5,7 @@
 
 use crate::physics::laws::Laws;
 use crate::physics::laws::cluster::smith_2012::ends;
-use crate::physics::laws::cluster::{Against, Cluster, STILL};
+use crate::physics::laws::cluster::{Cluster, STILL};
 
 impl Cluster {
     /// Adds the friction of one contact to the changes: what its law does beyond the normal impulse.
@@ -22,7 +22,7 @@ impl Cluster {
                 .sum::<f64>();
         // The restitution with which this contact on its own would pass the impulse that it passes now.
         let mut alike = impulse / free - 1.0;
-        if let Against::Cushion { .. } = contact.against {
+        if contact.against.member().is_none() {
             alike = alike.clamp(0.0, 1.0);
         }
         let kept: [_; 2] = std::array::from_fn(|end| {

@@ -45,6 +45,10 @@ pub enum Other {
     Ball(u32),
     /// A cushion, by its index.
     Cushion(u32),
+    /// The edge of a pocket, by the index of the pocket.
+    Rim(u32),
+    /// The wall or the liner of a pocket, by the index of the pocket.
+    Wall(u32),
 }
 
 /// The last things that a ball touched, newest first.
@@ -165,6 +169,7 @@ impl Cluster {
         self.classify(laws, table);
         if self.must_part(laws, table, blow) {
             let parting = std::mem::take(&mut self.parting);
+            self.turn_hollow(&parting);
             // The slate takes up what drives a ball into it: one that bears another on top gives way again and again.
             for _ in 0..BEARINGS {
                 self.settle(laws, &parting);
@@ -174,6 +179,19 @@ impl Cluster {
                 }
             }
             self.parting = parting;
+        }
+    }
+
+    /// What a hollow contact gives a ball that runs along it on the way out it takes from the run: it is turned, not driven.
+    fn turn_hollow(&mut self, parting: &[f64]) {
+        for (contact, parting) in self.contacts.iter().zip(parting) {
+            let state = &mut self.members[contact.first].state;
+            let (turned, along) = turned(contact, state);
+            if turned > 0.0 && *parting >= turned {
+                let run = state.velocity.dot(along);
+                let kept = (1.0 - (turned / run) * (turned / run)).max(0.0).sqrt();
+                state.velocity -= (1.0 - kept) * run * along;
+            }
         }
     }
 
@@ -189,6 +207,8 @@ impl Cluster {
         match contact.against {
             Against::Ball { member } => Other::Ball(self.members[member].ball as u32),
             Against::Cushion { cushion } => Other::Cushion(cushion as u32),
+            Against::Rim { pocket } => Other::Rim(pocket as u32),
+            Against::Wall { pocket } => Other::Wall(pocket as u32),
         }
     }
 
@@ -235,10 +255,8 @@ impl Cluster {
             let mut parting = 0.0;
             if closing > -SLOW {
                 let first = &self.members[contact.first];
-                let second = match contact.against {
-                    Against::Ball { member } => Some(&self.members[member]),
-                    Against::Cushion { .. } => None,
-                };
+                let second = contact.against.member();
+                let second = second.map(|member| &self.members[member]);
                 let moves = |member: &Member| member.state.motion.translates();
                 if moves(first) || second.is_some_and(moves) {
                     // A first touch parts as its law says; if it is pressed back at once it is lasting then.
@@ -260,6 +278,15 @@ impl Cluster {
     }
 }
 
+/// The speed in m/s that a ball which runs along something hollow must get away from it so as not to meet it again within a
+/// contact time, and the direction in which it runs. A fast one may as well meet it again.
+fn turned(contact: &Touching, state: &State) -> (f64, DVec3) {
+    let along = DVec3::Y.cross(contact.away);
+    let run = state.velocity.dot(along);
+    let turned = 0.5 * CONTACT_TIME * contact.hollow * run * run;
+    (turned.min(SLOW), along)
+}
+
 /// The speed in m/s at which a contact must part so that what drives the two together does not close it again within a
 /// contact time. A slide that begins with a blow may end within a microsecond, and takes back two sevenths of what the blow
 /// gave: two that roll into each other would touch ever more often if only its acceleration counted.
@@ -274,7 +301,7 @@ fn spring(
     let press: DVec3 = members()
         .map(|(member, sign)| sign * piece_of(member).acceleration)
         .sum();
-    let now = 0.5 * CONTACT_TIME * press.dot(contact.normal);
+    let now = 0.5 * CONTACT_TIME * press.dot(contact.normal) + turned(contact, &first.state).0;
     let until = |member: &Member| match member.state.motion {
         Motion::Sliding | Motion::Rolling => piece_of(member).duration,
         _ => f64::INFINITY,

@@ -8,7 +8,7 @@ mod touching;
 
 pub use lasting::{CONTACT_TIME, LEAN, Other, SLOW, Touched, put_off};
 pub use smith_2012::{Cluster, ROUNDS};
-pub use touching::{DEEP, leans, reach_of, touches};
+pub use touching::{DEEP, Inside, inside, leans, leans_inside, reach_of, touches, touches_inside};
 
 use glam::DVec3;
 
@@ -37,6 +37,27 @@ pub enum Against {
         /// Its index in the table.
         cushion: usize,
     },
+    /// The rounded edge of a pocket.
+    Rim {
+        /// Index of the pocket in the table.
+        pocket: usize,
+    },
+    /// The wall of a pocket below its edge, or its liner above.
+    Wall {
+        /// Index of the pocket in the table.
+        pocket: usize,
+    },
+}
+
+impl Against {
+    /// The place of the other ball in the cluster, if it is a ball.
+    #[must_use]
+    pub fn member(self) -> Option<usize> {
+        match self {
+            Self::Ball { member } => Some(member),
+            Self::Cushion { .. } | Self::Rim { .. } | Self::Wall { .. } => None,
+        }
+    }
 }
 
 /// One contact of a cluster.
@@ -48,8 +69,11 @@ pub struct Touching {
     pub against: Against,
     /// Unit vector from the ball to what it touches; horizontal for balls on the slate.
     pub normal: DVec3,
-    /// For a cushion the horizontal unit vector from the nose to the ball.
+    /// For a cushion the horizontal unit vector from the nose to the ball, for a pocket that to its middle.
     pub away: DVec3,
+    /// How hollow a pocket is in 1/m: what the square of the speed along it is to be multiplied with for the acceleration at
+    /// which it closes; 0 for all else.
+    pub hollow: f64,
     /// Height of the nose in m, for a cushion.
     pub nose_height: f64,
     /// Profile of the nose.

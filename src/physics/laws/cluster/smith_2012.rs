@@ -59,7 +59,7 @@ impl Cluster {
         let velocity = self.members[contact.first].state.velocity;
         let other = match contact.against {
             Against::Ball { member } => self.members[member].state.velocity,
-            Against::Cushion { .. } => DVec3::ZERO,
+            Against::Cushion { .. } | Against::Rim { .. } | Against::Wall { .. } => DVec3::ZERO,
         };
         (velocity - other).dot(contact.normal)
     }
@@ -134,7 +134,12 @@ impl Cluster {
     /// One contact on its own: its law as it stands.
     fn single(&mut self, laws: &Laws, index: usize) {
         let contact = self.contacts[index];
-        self.contacts[index].impulse += self.apply(laws, &contact, contact.restitution);
+        let restitution = match contact.against {
+            Against::Ball { .. } | Against::Cushion { .. } => contact.restitution,
+            // How a slow touch of these ends their laws say themselves.
+            Against::Rim { .. } | Against::Wall { .. } => None,
+        };
+        self.contacts[index].impulse += self.apply(laws, &contact, restitution);
     }
 
     /// Applies the law of a contact and returns the normal impulse.
@@ -173,6 +178,13 @@ impl Cluster {
                 self.members[contact.first].state = rebound.state;
                 rebound.impulse
             }
+            Against::Rim { .. } | Against::Wall { .. } => {
+                let on_edge = matches!(contact.against, Against::Rim { .. });
+                let (body, normal) = (&first.body, -contact.normal);
+                let after = laws.rattle((body, &first.state), on_edge, normal, restitution);
+                self.members[contact.first].state = after;
+                body.mass * (after.velocity - first.state.velocity).dot(normal)
+            }
         }
     }
 
@@ -183,6 +195,8 @@ impl Cluster {
             .unwrap_or_else(|| match contact.against {
                 Against::Ball { .. } => laws.ball_ball.restitution(),
                 Against::Cushion { .. } => laws.cushion.restitution(closing),
+                Against::Rim { .. } => laws.rattle_restitution(true),
+                Against::Wall { .. } => laws.rattle_restitution(false),
             })
     }
 
@@ -294,9 +308,6 @@ impl Cluster {
 
 /// The balls of a contact with the sign of a unit impulse on them along the normal.
 pub(super) fn ends(contact: &Touching) -> impl Iterator<Item = (usize, f64)> {
-    let second = match contact.against {
-        Against::Ball { member } => Some((member, 1.0)),
-        Against::Cushion { .. } => None,
-    };
+    let second = contact.against.member().map(|member| (member, 1.0));
     std::iter::once((contact.first, -1.0)).chain(second)
 }

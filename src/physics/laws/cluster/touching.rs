@@ -5,7 +5,8 @@ use glam::{DVec2, DVec3};
 use crate::physics::ball::{Ball, State};
 use crate::physics::laws::Laws;
 use crate::physics::laws::ball_ball::PairContact;
-use crate::physics::laws::cluster::{Against, Cluster, LEAN, Member, TOUCH, Touching};
+use crate::physics::laws::cluster::{Against, Cluster, LEAN, Member, Other, TOUCH, Touching};
+use crate::physics::laws::pocket::{PocketLaw, Rim};
 use crate::physics::table::{Cushion, Nose, Table};
 
 /// Overlap in m at an impact that is beyond rounding.
@@ -32,6 +33,7 @@ impl Cluster {
             against: Against::Ball { member: second },
             normal,
             away: DVec3::ZERO,
+            hollow: 0.0,
             nose_height: 0.0,
             nose: Nose::Wall,
             restitution: None,
@@ -65,6 +67,7 @@ impl Cluster {
             against: Against::Cushion { cushion },
             normal,
             away,
+            hollow: 0.0,
             nose_height: laws
                 .cushion
                 .nose_height(table.nose_height, &member.body, nose),
@@ -74,6 +77,99 @@ impl Cluster {
         });
         overlap
     }
+
+    /// Adds the contact of a member in flight and what it touches of a pocket, if there is anything of it where it is.
+    pub fn touch_inside(&mut self, laws: &Laws, table: &Table, first: usize, what: Other) {
+        let Member { body, state, .. } = &self.members[first];
+        let against = match what {
+            Other::Rim(pocket) => Against::Rim {
+                pocket: pocket as usize,
+            },
+            Other::Wall(pocket) => Against::Wall {
+                pocket: pocket as usize,
+            },
+            Other::Ball(_) | Other::Cushion(_) => return,
+        };
+        let Some(met) = inside(laws, table, (body, state), what) else {
+            return;
+        };
+        self.contacts.push(Touching {
+            first,
+            against,
+            normal: -met.normal,
+            away: met.away,
+            hollow: met.hollow,
+            nose_height: 0.0,
+            nose: Nose::Wall,
+            restitution: None,
+            impulse: 0.0,
+        });
+    }
+}
+
+/// What a ball in flight meets of a pocket.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Inside {
+    /// How far it is away in m.
+    pub gap: f64,
+    /// Unit vector from there to the ball.
+    pub normal: DVec3,
+    /// Horizontal unit vector to the middle of the pocket.
+    pub away: DVec3,
+    /// See [`Touching::hollow`].
+    pub hollow: f64,
+}
+
+/// How a ball in flight is to the edge or the wall of a pocket; nothing if it cannot touch it where it is.
+#[must_use]
+pub fn inside(
+    laws: &Laws,
+    table: &Table,
+    (body, state): (&Ball, &State),
+    what: Other,
+) -> Option<Inside> {
+    let PocketLaw::Rim(Rim { edge, .. }) = laws.pocket else {
+        return None;
+    };
+    let (Other::Rim(pocket) | Other::Wall(pocket)) = what else {
+        return None;
+    };
+    let (radius, position) = (body.radius, state.position);
+    let pocket = &table.pockets[pocket as usize];
+    let at = pocket.at_edge(edge, position);
+    let away = at.away();
+    let on_edge = matches!(what, Other::Rim(_));
+    // Below the edge there is the wall.
+    let is_there = if on_edge {
+        position.y >= -edge
+    } else {
+        table.has_wall(pocket, edge, radius, position)
+    };
+    let (gap, normal, hollow) = if on_edge {
+        (at.length - radius - edge, at.normal(), at.hollow())
+    } else {
+        let gap = pocket.room(edge, radius) - at.from_axis;
+        (gap, away, 1.0 / at.from_axis.max(1e-12))
+    };
+    (is_there && state.motion.flies()).then_some(Inside {
+        gap,
+        normal,
+        away,
+        hollow,
+    })
+}
+
+/// Whether a ball in flight touches the edge or the wall of a pocket, however deep: one that tips is in its edge by up to 0.05
+/// mm between two pieces of its path, and one that comes down behind the hole is in the liner.
+#[must_use]
+pub fn touches_inside(laws: &Laws, table: &Table, ball: (&Ball, &State), what: Other) -> bool {
+    inside(laws, table, ball, what).is_some_and(|met| met.gap <= TOUCH)
+}
+
+/// Whether a ball in flight does not touch the edge or the wall of a pocket, but leans on it if it did touch it lately.
+#[must_use]
+pub fn leans_inside(laws: &Laws, table: &Table, ball: (&Ball, &State), what: Other) -> bool {
+    inside(laws, table, ball, what).is_some_and(|met| met.gap > TOUCH && met.gap <= LEAN)
 }
 
 /// Distance in plan from a nose line at which a ball touches it, at the height at which it is; -1 for one that passes over

@@ -21,7 +21,6 @@ use serde::{Deserialize, Serialize};
 
 use crate::physics::ball::{Ball, Motion, State};
 use crate::physics::laws::motion::Piece;
-use crate::physics::laws::slate::SlateLaw;
 use crate::physics::laws::{Check, Parameter};
 use crate::physics::table::Pocket;
 
@@ -139,33 +138,27 @@ impl Pivot {
 }
 
 impl Rim {
-    /// A falling ball after it met the edge.
+    /// A falling ball after it met the wall below the edge, or the liner above it, away from which this unit vector points: a
+    /// share of its motion in plan comes back, and always some of it away, or it would run round the wall and touch it without
+    /// end. With a restitution in place of the law's own that share of what closed comes back, but of what runs along the wall
+    /// the law's.
     #[must_use]
-    pub(in crate::physics::laws) fn off_edge(
+    pub(in crate::physics::laws) fn off_wall(
         &self,
-        slate: &SlateLaw,
-        pocket: &Pocket,
-        ball: &Ball,
         state: &State,
+        normal: DVec3,
+        restitution: Option<f64>,
     ) -> State {
-        let (distance, out) = from_middle(pocket, state);
-        let up = state.position.y + self.edge;
-        let normal = (distance - pocket.radius) * out + up * DVec3::Y;
-        slate.bounce(ball, state, normal.normalize_or_zero())
-    }
-
-    /// A falling ball after it met the wall below the edge, or the liner above it: a share of its motion in plan comes
-    /// back, and always some of it inwards, or it would run round the wall and touch it without end.
-    #[must_use]
-    pub(in crate::physics::laws) fn off_wall(&self, pocket: &Pocket, state: &State) -> State {
-        let (_, out) = from_middle(pocket, state);
         let level = DVec3::new(state.velocity.x, 0.0, state.velocity.z);
-        let radial = level.dot(out);
-        let along = level - radial * out;
-        let inward = radial.abs().max(0.5 * along.length());
+        let radial = level.dot(normal);
+        let along = level - radial * normal;
+        let share = self.liner_restitution;
+        let back = match restitution {
+            Some(restitution) => restitution * -radial,
+            None => share * radial.abs().max(0.5 * along.length()),
+        };
         let mut after = *state;
-        after.velocity =
-            self.liner_restitution * (along - inward * out) + state.velocity.y * DVec3::Y;
+        after.velocity = share * along + back * normal + state.velocity.y * DVec3::Y;
         after
     }
 
@@ -216,13 +209,6 @@ impl Rim {
         pivot.turn(pocket, ball, (start, &mut state), angle);
         state
     }
-}
-
-/// Distance in plan from the middle of the pocket, and the direction from there.
-fn from_middle(pocket: &Pocket, state: &State) -> (f64, DVec3) {
-    let offset = DVec2::new(state.position.x, state.position.z) - pocket.center;
-    let out = offset.normalize_or_zero();
-    (offset.length(), DVec3::new(out.x, 0.0, out.y))
 }
 
 /// The angle at the end of the next piece, and whether the ball leaves the edge there.

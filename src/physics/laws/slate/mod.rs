@@ -62,15 +62,25 @@ impl SlateLaw {
         ]
     }
 
+    /// Coefficient of restitution.
+    #[must_use]
+    pub fn restitution(&self) -> f64 {
+        match self {
+            Self::Held | Self::Rubbed { .. } => 0.0,
+            Self::Bouncing(law) => law.restitution,
+        }
+    }
+
     /// The ball after it came down on the slate: velocities, and the label of flight if it bounces. A ball that stays
     /// lies on the slate with the label [`Motion::Sliding`], for the motion law to classify.
     #[must_use]
     pub fn land(&self, ball: &Ball, state: &State) -> State {
         let down = -state.velocity.y;
-        let (restitution, friction, settle) = match *self {
-            Self::Held => (0.0, 0.0, 0.0),
-            Self::Rubbed { friction } => (0.0, friction, 0.0),
-            Self::Bouncing(law) => (law.restitution, law.friction, law.settle),
+        let restitution = self.restitution();
+        let (friction, settle) = match *self {
+            Self::Held => (0.0, 0.0),
+            Self::Rubbed { friction } => (friction, 0.0),
+            Self::Bouncing(law) => (law.friction, law.settle),
         };
         let mut after = *state;
         let up = match self {
@@ -100,20 +110,32 @@ impl SlateLaw {
     /// would bounce from a slate across that direction. The label of motion is left as it is.
     ///
     /// A touch that closes at less than `LEAVE` leaves at that speed, with energy taken from the motion along the edge:
-    /// a ball that leans on it would touch it ever more often.
+    /// a ball that leans on it would touch it ever more often. Not so with a restitution in place of the law's own.
     #[must_use]
-    pub fn bounce(&self, ball: &Ball, state: &State, normal: DVec3) -> State {
-        let (restitution, friction) = match *self {
-            Self::Held => (0.0, 0.0),
-            Self::Rubbed { friction } => (0.0, friction),
-            Self::Bouncing(law) => (law.restitution, law.friction),
+    pub fn bounce(
+        &self,
+        ball: &Ball,
+        state: &State,
+        normal: DVec3,
+        restitution: Option<f64>,
+    ) -> State {
+        let friction = match *self {
+            Self::Held => 0.0,
+            Self::Rubbed { friction } => friction,
+            Self::Bouncing(law) => law.friction,
         };
         let closing = -state.velocity.dot(normal);
         if closing < -LEAVE {
             return *state;
         }
         let mut after = *state;
-        let leave = (restitution * closing).max(closing.abs().min(LEAVE));
+        if let Some(restitution) = restitution {
+            let blow = (1.0 + restitution) * closing.max(0.0);
+            after.velocity += blow * normal;
+            rub(ball, &mut after, normal, friction, blow);
+            return after;
+        }
+        let leave = (self.restitution() * closing).max(closing.abs().min(LEAVE));
         after.velocity += (closing + leave) * normal;
         rub(ball, &mut after, normal, friction, closing + leave);
         let along = after.velocity - after.velocity.dot(normal) * normal;
