@@ -13,6 +13,7 @@ use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 use crate::game::matches::Match;
+use crate::kept::Unread;
 
 /// What the first line calls the format.
 const FORMAT: &str = "masse match";
@@ -23,31 +24,13 @@ pub const VERSION: u32 = 1;
 /// Why a saved match cannot be used. Every variant names the file.
 #[derive(Debug, Error)]
 pub enum SavedError {
-    /// The file cannot be read.
-    #[error("{file}: cannot be read: {source}")]
+    /// The file cannot be read, is too large or no text.
+    #[error("{file}: {why}")]
     Read {
         /// The file.
         file: String,
-        /// What the system says.
-        source: std::io::Error,
-    },
-    /// The file is too large.
-    #[error("{file}: {size} bytes are more than {most}, the largest saved match that is read")]
-    TooLarge {
-        /// The file.
-        file: String,
-        /// Its size, bytes.
-        size: u64,
-        /// Largest size, bytes.
-        most: u64,
-    },
-    /// The file is not UTF-8.
-    #[error("{file}: byte {byte} is not UTF-8 text")]
-    NotText {
-        /// The file.
-        file: String,
-        /// Where.
-        byte: usize,
+        /// Why not.
+        why: Unread,
     },
     /// The first line does not say that this is a saved match.
     #[error("{file}:1: {field}: {what}; this is no saved match, or its first line is damaged")]

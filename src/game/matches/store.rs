@@ -9,7 +9,7 @@ use thiserror::Error;
 
 use crate::game::matches::Match;
 use crate::game::matches::saved::{self, SavedError};
-use crate::kept::{self, BadName, Shelf, Unread};
+use crate::kept::{self, BadName, Shelf};
 
 /// The name of the match that is saved by itself after every shot.
 pub const AUTOSAVE: &str = "autosave";
@@ -155,12 +155,8 @@ pub fn load(path: &Path) -> Result<Match, SavedError> {
 }
 
 fn text_of(path: &Path) -> Result<String, SavedError> {
-    kept::read(path, LARGEST).map_err(|why| {
-        let file = path.display().to_string();
-        match why {
-            Unread::System(source) => SavedError::Read { file, source },
-            Unread::TooLong { size, most } => SavedError::TooLarge { file, size, most },
-            Unread::NotText(byte) => SavedError::NotText { file, byte },
-        }
+    kept::read(path, LARGEST).map_err(|why| SavedError::Read {
+        file: path.display().to_string(),
+        why,
     })
 }

@@ -2,35 +2,20 @@
 
 use thiserror::Error;
 
+use crate::kept::Unread;
 use crate::physics::scene::SceneError;
 use crate::report::record_file::VERSION;
 
 /// Why a record file cannot be used. Every variant names the file, most the line (from 1) and the field.
 #[derive(Debug, Error)]
 pub enum RecordFileError {
-    /// The file cannot be opened or read.
-    #[error("{file}: {source}")]
+    /// The file cannot be read, is too large or no text.
+    #[error("{file}: {why}")]
     Read {
         /// The file.
         file: String,
-        /// What the system says.
-        source: std::io::Error,
-    },
-    /// The file is too large.
-    #[error("{file}: larger than {most} bytes, the largest record file that is read")]
-    TooLarge {
-        /// The file.
-        file: String,
-        /// Largest size, bytes.
-        most: u64,
-    },
-    /// A line is not UTF-8.
-    #[error("{file}:{line}: not UTF-8 text")]
-    NotText {
-        /// The file.
-        file: String,
-        /// The line.
-        line: usize,
+        /// Why not.
+        why: Unread,
     },
     /// The first line does not say that this is a record.
     #[error(

@@ -1,10 +1,10 @@
 //! Reading a record file.
 
-use std::io::Read;
 use std::path::Path;
 
 use serde_json::Value;
 
+use crate::kept;
 use crate::report::record_file::body::{self, Body};
 use crate::report::record_file::fields::Problem;
 use crate::report::record_file::{FORMAT, RecordFileError, Recorded, VERSION};
@@ -18,28 +18,10 @@ const LARGEST: u64 = 1 << 30;
 /// [`RecordFileError`] if it cannot be read or is not a complete record.
 pub fn read(path: &Path) -> Result<Recorded, RecordFileError> {
     let file = path.display().to_string();
-    let unreadable = |source| RecordFileError::Read {
-        file: file.clone(),
-        source,
-    };
-    let mut bytes = Vec::new();
-    std::fs::File::open(path)
-        .and_then(|opened| opened.take(LARGEST + 1).read_to_end(&mut bytes))
-        .map_err(unreadable)?;
-    if bytes.len() as u64 > LARGEST {
-        return Err(RecordFileError::TooLarge {
-            file,
-            most: LARGEST,
-        });
+    match kept::read(path, LARGEST) {
+        Ok(text) => parse(&text, &file),
+        Err(why) => Err(RecordFileError::Read { file, why }),
     }
-    let text = String::from_utf8(bytes).map_err(|error| {
-        let good = &error.as_bytes()[..error.utf8_error().valid_up_to()];
-        RecordFileError::NotText {
-            file: file.clone(),
-            line: good.split(|byte| *byte == b'\n').count(),
-        }
-    })?;
-    parse(&text, &file)
 }
 
 /// Reads the text of a record file; `file` is what errors call it.

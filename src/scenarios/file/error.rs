@@ -2,34 +2,19 @@
 
 use thiserror::Error;
 
+use crate::kept::Unread;
 use crate::physics::scene::SceneError;
 
 /// Why a scene file cannot be used. Every variant names the file, the place in it and the value found there.
 #[derive(Debug, Error)]
 pub enum FileError {
-    /// The file cannot be opened or read.
-    #[error("{file}: {source}")]
+    /// The file cannot be read, is too large or no text.
+    #[error("{file}: {why}")]
     Read {
         /// The file.
         file: String,
-        /// What the system says.
-        source: std::io::Error,
-    },
-    /// The file is too large.
-    #[error("{file}: larger than {most} bytes, the largest scene file that is read")]
-    TooLarge {
-        /// The file.
-        file: String,
-        /// Largest size, bytes.
-        most: u64,
-    },
-    /// The file is not UTF-8.
-    #[error("{file}: byte {byte} is not UTF-8 text")]
-    NotText {
-        /// The file.
-        file: String,
-        /// Offset of the first bad byte.
-        byte: usize,
+        /// Why not.
+        why: Unread,
     },
     /// The text is not a scene file: bad RON, an unknown or missing field, a value of the wrong kind.
     #[error("{file}:{line}:{column}: {message}\n  {excerpt}")]

@@ -42,13 +42,13 @@ mod tests;
 pub(in crate::scenarios) use error::LayoutError;
 pub use error::{FieldError, FileError};
 
-use std::io::Read;
 use std::path::Path;
 
 use ron::extensions::Extensions;
 use ron::ser::PrettyConfig;
 use serde::de::DeserializeOwned;
 
+use crate::kept;
 use crate::physics::ball::State;
 use crate::physics::record::Record;
 use crate::physics::scene::Scene;
@@ -131,24 +131,9 @@ pub fn read(path: &Path) -> Result<Scenario, FileError> {
 
 /// The text of a file.
 pub(in crate::scenarios) fn text_of(path: &Path) -> Result<String, FileError> {
-    let file = path.display().to_string();
-    let unreadable = |source| FileError::Read {
-        file: file.clone(),
-        source,
-    };
-    let mut bytes = Vec::new();
-    std::fs::File::open(path)
-        .and_then(|opened| opened.take(LARGEST + 1).read_to_end(&mut bytes))
-        .map_err(unreadable)?;
-    if bytes.len() as u64 > LARGEST {
-        return Err(FileError::TooLarge {
-            file,
-            most: LARGEST,
-        });
-    }
-    String::from_utf8(bytes).map_err(|error| FileError::NotText {
-        file: file.clone(),
-        byte: error.utf8_error().valid_up_to(),
+    kept::read(path, LARGEST).map_err(|why| FileError::Read {
+        file: path.display().to_string(),
+        why,
     })
 }
 

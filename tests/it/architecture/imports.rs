@@ -11,7 +11,7 @@ const ROOMS: [(&str, &[&str]); 7] = [
     ("kept", &[]),
     ("sim", &["physics"]),
     ("scenarios", &["kept", "physics", "sim"]),
-    ("report", &["physics", "sim"]),
+    ("report", &["kept", "physics", "sim"]),
     ("game", &["kept", "physics", "sim"]),
     ("window", &["physics", "sim", "scenarios", "report", "game"]),
 ];

@@ -24,7 +24,7 @@ fn a_record_is_drawn_without_running_it_again() {
     let cases: &[(&str, &[u8], &str)] = &[
         ("missing", b"", "no-such.jsonl: "),
         ("empty", b"", "bad.jsonl:1:"),
-        ("bytes", b"{}\n\xff\xfe", "bad.jsonl:2: not UTF-8"),
+        ("bytes", b"{}\n\xff\xfe", "bad.jsonl: byte 3 is not UTF-8"),
         ("scene file", b"(table: NineFoot)", "bad.jsonl:1:1: "),
         (
             "newer",
