@@ -1,4 +1,4 @@
-//! Long runs: `cargo run --release --no-default-features --example long_runs -- 1000000 600`.
+//! Long runs: `cargo run --release --no-default-features --example long_runs -- 1000000 3600`.
 //!
 //! So many events on a table without friction, and so many seconds of a crowd: how far the energy drifts, and that the
 //! memory stays what it was.
@@ -112,7 +112,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let most = arguments
         .next()
         .map_or(Ok(1_000_000), |text| text.parse())?;
-    let seconds = arguments.next().map_or(Ok(600), |text| text.parse())?;
+    let seconds = arguments.next().map_or(Ok(3600), |text| text.parse())?;
     events(most)?;
     crowd(seconds);
     Ok(())

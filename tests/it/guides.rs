@@ -228,3 +228,21 @@ fn the_commands_of_the_guides_are_known() {
     }
     assert!(commands > 0);
 }
+
+/// An example that nobody runs is one that no longer runs.
+#[test]
+fn every_example_is_run_by_what_a_pull_request_must_pass() {
+    let run = std::fs::read_to_string(root().join(".ci/run")).expect("a script");
+    let examples = std::fs::read_dir(root().join("examples")).expect("the folder of the examples");
+    let mut found = 0;
+    for example in examples {
+        let path = example.expect("an entry").path();
+        let name = path.file_stem().unwrap_or_default().to_string_lossy();
+        let asked = run.lines().any(|line| {
+            line.starts_with("cargo run") && line.contains(&format!("--example {name} "))
+        });
+        assert!(asked, "no line of .ci/run runs the example {name}");
+        found += 1;
+    }
+    assert!(found >= 5);
+}
