@@ -253,12 +253,15 @@ fn tick(value: f64, scale: Scale) -> String {
             let text = format!("{value:.2e}");
             let (digits, power) = text.split_once('e').unwrap_or((&text, "0"));
             let digits = digits.trim_end_matches('0').trim_end_matches('.');
-            let raised: String = power.chars().map(raised).collect();
-            match (digits, power) {
-                ("1", "0" | "1" | "2") => format!("{value:.0}"),
-                ("1", _) => format!("10{raised}"),
-                _ => format!("{digits}\u{b7}10{raised}"),
-            }
+            let plain = match (digits, power) {
+                ("1", "-2") => "0.01",
+                ("1", "-1") => "0.1",
+                ("1", "0") => "1",
+                ("1", "1") => "10",
+                ("1", "2") => "100",
+                _ => return format!("{digits}e{power}"),
+            };
+            plain.to_owned()
         }
         Scale::Linear => {
             // Ticks are round in the decimal system; what is beyond six decimals is rounding.
@@ -271,16 +274,4 @@ fn tick(value: f64, scale: Scale) -> String {
             }
         }
     }
-}
-
-/// A digit or a minus as it stands in an exponent.
-fn raised(letter: char) -> char {
-    const DIGITS: [char; 10] = [
-        '\u{2070}', '\u{b9}', '\u{b2}', '\u{b3}', '\u{2074}', '\u{2075}', '\u{2076}', '\u{2077}',
-        '\u{2078}', '\u{2079}',
-    ];
-    let digit = letter
-        .to_digit(10)
-        .and_then(|digit| DIGITS.get(digit as usize));
-    digit.copied().unwrap_or('\u{207b}')
 }
