@@ -21,6 +21,9 @@ const TIPPING: f64 = 1e-3;
 /// Share of the energy of its spin by which they are off: a spin that turns with the edge is drawn straight through 0.12 rad.
 const TURNING: f64 = 0.004;
 
+/// Share of the energy of its way by which they are off: a velocity that turns by 0.12 rad is drawn straight.
+const BENDING: f64 = 0.12 * 0.12;
+
 /// The worst that was seen.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Worst {
@@ -63,7 +66,7 @@ pub struct Audit<'s> {
     struck: bool,
     /// Whether anything but two balls met at this instant.
     others: bool,
-    /// Energy of the spins in J of balls that tipped at the last event; nothing if none did.
+    /// Energy in J by which balls that tipped at the last event were off; nothing if none did.
     tipped: Option<f64>,
     worst: Worst,
 }
@@ -171,13 +174,15 @@ impl<'s> Audit<'s> {
             let start = &path.piece.start;
             if start.motion == Motion::Tipping {
                 let spin = 0.5 * one.ball.inertia() * start.angular_velocity.length_squared();
-                tips = Some(tips.unwrap_or(0.0) + spin);
+                let way = 0.5 * one.ball.mass * start.velocity.length_squared();
+                let drawn = TURNING * spin + BENDING * way;
+                tips = Some(tips.unwrap_or(0.0) + drawn);
             }
         }
         let mut more = self.allowance(event);
-        for spin in [tips, self.tipped].into_iter().flatten() {
+        for drawn in [tips, self.tipped].into_iter().flatten() {
             let heaviest = self.scene.balls.iter().map(|ball| ball.ball.mass);
-            more += TIPPING * heaviest.fold(0.0, f64::max) + TURNING * spin;
+            more += TIPPING * heaviest.fold(0.0, f64::max) + drawn;
         }
         self.tipped = tips;
         self.struck |= matches!(event.kind, EventKind::Strike { .. });

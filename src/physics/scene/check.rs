@@ -5,6 +5,7 @@ use std::collections::HashSet;
 use glam::DVec2;
 
 use crate::physics::laws::motion::MotionLaw;
+use crate::physics::laws::pocket::PocketLaw;
 use crate::physics::scene::range::{Listed, check_parameters, in_plan, in_space, within};
 use crate::physics::scene::{Scene, SceneBall, SceneError, Solver, Stepped};
 use crate::physics::table::{Cushion, Ground};
@@ -37,6 +38,7 @@ impl Scene {
         }
         self.check_shot()?;
         self.check_places()?;
+        self.check_pockets()?;
         self.check_room()?;
         self.check_overlaps()?;
         if self.solver == Solver::Exact && !self.laws.motion.is_closed_form() {
@@ -296,6 +298,34 @@ impl Scene {
                     ball: name(),
                     x: plan.x,
                     z: plan.y,
+                });
+            }
+        }
+        Ok(())
+    }
+
+    /// Where balls fall into pockets, every ball falls through every pocket.
+    fn check_pockets(&self) -> Result<(), SceneError> {
+        let (PocketLaw::Rim(rim), Some(_)) = (self.laws.pocket, self.laws.motion.gravity()) else {
+            return Ok(());
+        };
+        let playing = self.balls.iter().filter(|ball| in_play(ball));
+        let Some(largest) = playing.max_by(|a, b| a.ball.radius.total_cmp(&b.ball.radius)) else {
+            return Ok(());
+        };
+        for pocket in &self.table.pockets {
+            // Between the noses of its throat, and inside the wall.
+            let noses = self.table.cushions.iter();
+            let throat = noses
+                .map(|nose| nose.nearest(pocket.center).0)
+                .fold(f64::INFINITY, f64::min);
+            let most = throat.min(pocket.radius - rim.edge);
+            if largest.ball.radius > most {
+                return Err(SceneError::TooLargeForPocket {
+                    ball: largest.name.clone(),
+                    radius: largest.ball.radius,
+                    pocket: pocket.name.clone(),
+                    most,
                 });
             }
         }

@@ -150,6 +150,20 @@ pub enum SceneError {
         /// Height of the noses, m.
         nose_height: f64,
     },
+    /// A ball does not fall through a pocket: it would be wedged in it for ever.
+    #[error(
+        "balls: `{ball}`: radius {radius} m: pocket `{pocket}` takes at most {most} m; use `pocket: Capture` or smaller balls"
+    )]
+    TooLargeForPocket {
+        /// The ball.
+        ball: String,
+        /// Radius, m.
+        radius: f64,
+        /// Name of the pocket.
+        pocket: String,
+        /// The largest radius that falls through it, m.
+        most: f64,
+    },
     /// The table is too small for a ball.
     #[error("table: {length} m x {width} m is smaller than ball `{ball}` of radius {radius} m")]
     TableTooSmall {

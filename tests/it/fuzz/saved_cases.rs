@@ -2,6 +2,7 @@
 
 use masse::physics::ball::Ball;
 use masse::physics::laws::Laws;
+use masse::physics::laws::pocket::PocketLaw;
 use masse::physics::scene::{Scene, SceneError};
 use masse::physics::table::Preset;
 use masse::scenarios::file;
@@ -84,4 +85,20 @@ fn a_ball_that_no_nose_holds_is_refused() {
     let mut scene = lying(0.0, 0.0, 0.01);
     scene.balls[0].state.position.y += 0.17;
     assert!(matches!(scene.check(), Err(SceneError::NotHeld { .. })));
+}
+
+/// Two kilograms of 6 cm radius sank into a side pocket until noses, edge and liner held them from all sides: no speed led out
+/// of there, and they were touched without end.
+#[test]
+fn a_ball_that_no_pocket_takes_is_refused() {
+    let large = lying(0.2, 0.0, 0.0599);
+    let refused = large.check();
+    assert!(
+        matches!(refused, Err(SceneError::TooLargeForPocket { .. })),
+        "{refused:?}"
+    );
+    // Where nothing falls there is nothing to be wedged in.
+    let mut captured = large;
+    captured.laws.pocket = PocketLaw::Capture;
+    assert_eq!(captured.check(), Ok(()));
 }

@@ -27,8 +27,9 @@ const OVERLAP: f64 = 0.1 * DEEP;
 /// three times in a millisecond: as it comes, when they press it, and when it parts from the last of them.
 fn most_events(scene: &Scene) -> u64 {
     let wedged = scene.laws.pocket != PocketLaw::Capture && !scene.table.pockets.is_empty();
-    let a_second = if wedged { 12_000.0 } else { 3000.0 };
-    2000 + (a_second * scene.balls.len() as f64 * (1.0 + scene.time_limit)) as u64
+    let (balls, time) = (scene.balls.len() as f64, scene.time_limit);
+    let in_pockets = if wedged { 9000.0 * balls * time } else { 0.0 };
+    2000 + (3000.0 * balls * (1.0 + time) + in_pockets) as u64
 }
 
 fn judge(seen: &Worst, most: u64) -> Result<(), String> {

@@ -36,7 +36,7 @@ fn drop() -> impl Strategy<Value = Drop> {
         prop_oneof![1 => Just(1.0), 3 => 1.0..5.0_f64],
         (speed(), speed(), speed()),
         prop::option::weighted(0.3, (spin(), spin(), spin())),
-        prop::option::weighted(0.4, (0.02..0.034_f64, -2.0..1.0_f64)),
+        prop::option::weighted(0.4, (0.02..0.055_f64, -2.0..1.0_f64)),
     )
         .prop_map(|(at, height, velocity, spin, body)| Drop {
             at,

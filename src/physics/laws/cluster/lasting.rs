@@ -279,12 +279,12 @@ impl Cluster {
 }
 
 /// The speed in m/s that a ball which runs along something hollow must get away from it so as not to meet it again within a
-/// contact time, and the direction in which it runs. A fast one may as well meet it again.
+/// contact time, and the direction in which it runs. One that is faster than that is turned by at most 30°.
 fn turned(contact: &Touching, state: &State) -> (f64, DVec3) {
     let along = DVec3::Y.cross(contact.away);
     let run = state.velocity.dot(along);
     let turned = 0.5 * CONTACT_TIME * contact.hollow * run * run;
-    (turned.min(SLOW), along)
+    (turned.min(0.5 * run.abs()), along)
 }
 
 /// The speed in m/s at which a contact must part so that what drives the two together does not close it again within a
