@@ -163,7 +163,11 @@ fn show(
     }
     terms(ui, draft, &language);
     ui.horizontal(|ui| {
-        if ui.button(language.text("match-begin")).clicked() {
+        let begin = egui::RichText::new(language.text("match-begin")).size(18.0);
+        if ui
+            .add(egui::Button::new(begin).min_size(egui::vec2(120.0, 32.0)))
+            .clicked()
+        {
             draft.begun += 1;
             let players = (0..count)
                 .map(|index| Player {

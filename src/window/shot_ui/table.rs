@@ -16,8 +16,12 @@ use crate::window::action::Action;
 pub(super) fn show(ui: &mut egui::Ui, desk: &mut Desk) {
     let language = desk.language.clone();
     let text = |key| language.text(key);
+    // What would end a match, or is not played in it, is not to be clicked by mistake.
+    let is_free = !desk.turns.is_agreed();
+    let takes_back = is_free || desk.turns.game().is_some_and(|game| game.setup().undo);
+    let places = is_free || desk.turns.places_cue_ball();
     ui.horizontal_wrapped(|ui| {
-        let can_retry = desk.practice.history.has_shot();
+        let can_retry = takes_back && desk.practice.history.has_shot();
         if ui
             .add_enabled(can_retry, egui::Button::new(text("table-retry")))
             .clicked()
@@ -26,14 +30,15 @@ pub(super) fn show(ui: &mut egui::Ui, desk: &mut Desk) {
         }
         let steps = desk.practice.history.len();
         let undo = egui::Button::new(language.with("table-undo", &[("steps", steps.into())]));
-        if ui.add_enabled(steps > 0, undo).clicked() {
+        if ui.add_enabled(takes_back && steps > 0, undo).clicked() {
             desk.commands.write(PracticeCommand::Undo);
         }
         for (rack, name) in [
             (Rack::EightBall, "rack-eight-ball"),
             (Rack::NineBall, "rack-nine-ball"),
         ] {
-            if ui.button(text(name)).clicked() {
+            let rack_up = ui.add_enabled(is_free, egui::Button::new(text(name)));
+            if rack_up.clicked() {
                 desk.commands.write(PracticeCommand::Rack(rack));
             }
         }
@@ -41,7 +46,7 @@ pub(super) fn show(ui: &mut egui::Ui, desk: &mut Desk) {
     ui.horizontal_wrapped(|ui| {
         let still = !desk.clock.moving;
         let mut placing = desk.practice.placing;
-        ui.add_enabled_ui(still, |ui| {
+        ui.add_enabled_ui(still && places, |ui| {
             ui.toggle_value(&mut placing, text("table-place"))
                 .on_hover_text(text("table-place-hint"));
             if ui.button(text("table-in-hand")).clicked() {
@@ -52,7 +57,7 @@ pub(super) fn show(ui: &mut egui::Ui, desk: &mut Desk) {
             desk.practice.placing = placing;
         }
     });
-    tables(ui, desk);
+    ui.add_enabled_ui(is_free, |ui| tables(ui, desk));
     let mut view = *desk.view;
     ui.horizontal_wrapped(|ui| {
         for (mode, name) in [
