@@ -15,9 +15,9 @@ pub(super) struct Solid {
     uvs: Vec<[f32; 2]>,
     tangents: Vec<[f32; 4]>,
     indices: Vec<u32>,
-    /// The colour of each point, if any was dyed, and that of the next one.
+    /// The colour of each point, and that of the next one. Every solid has them, so that one shader draws all.
     colours: Vec<[f32; 4]>,
-    dye: Option<[f32; 4]>,
+    dye: [f32; 4],
 }
 
 impl Solid {
@@ -31,17 +31,17 @@ impl Solid {
             tangents: Vec::new(),
             indices: Vec::new(),
             colours: Vec::new(),
-            dye: None,
+            dye: [1.0; 4],
         }
     }
 
-    /// Gives all faces from now on a colour, this much lighter than it is. Either all faces are dyed or none.
+    /// Gives all faces from now on a colour, this much lighter than it is; its material is multiplied by it.
     pub fn dye(&mut self, colour: Color, light: f64) {
         let LinearRgba {
             red, green, blue, ..
         } = colour.to_linear();
         let light = light as f32;
-        self.dye = Some([red * light, green * light, blue * light, 1.0]);
+        self.dye = [red * light, green * light, blue * light, 1.0];
     }
 
     /// How many points there are so far.
@@ -88,7 +88,7 @@ impl Solid {
             let uv = DVec2::new(corner.dot(along), corner.dot(across)) / self.tile;
             self.uvs.push(uv.as_vec2().to_array());
             self.tangents.push(along.as_vec3().extend(1.0).to_array());
-            self.colours.extend(self.dye);
+            self.colours.push(self.dye);
         }
         self.indices
             .extend([0, 1, 2, 0, 2, 3].map(|corner| first + corner));
@@ -122,7 +122,7 @@ impl Solid {
     }
 
     pub fn mesh(self) -> Mesh {
-        let mesh = Mesh::new(
+        Mesh::new(
             PrimitiveTopology::TriangleList,
             RenderAssetUsages::RENDER_WORLD,
         )
@@ -130,11 +130,8 @@ impl Solid {
         .with_inserted_attribute(Mesh::ATTRIBUTE_NORMAL, self.normals)
         .with_inserted_attribute(Mesh::ATTRIBUTE_UV_0, self.uvs)
         .with_inserted_attribute(Mesh::ATTRIBUTE_TANGENT, self.tangents)
-        .with_inserted_indices(Indices::U32(self.indices));
-        if self.colours.is_empty() {
-            return mesh;
-        }
-        mesh.with_inserted_attribute(Mesh::ATTRIBUTE_COLOR, self.colours)
+        .with_inserted_attribute(Mesh::ATTRIBUTE_COLOR, self.colours)
+        .with_inserted_indices(Indices::U32(self.indices))
     }
 }
 
