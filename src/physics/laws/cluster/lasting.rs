@@ -169,6 +169,7 @@ impl Cluster {
         self.classify(laws, table);
         if self.must_part(laws, table, blow) {
             let parting = std::mem::take(&mut self.parting);
+            let before = self.energy();
             self.turn_hollow(&parting);
             // The slate takes up what drives a ball into it: one that bears another on top gives way again and again.
             for _ in 0..BEARINGS {
@@ -179,7 +180,32 @@ impl Cluster {
                 }
             }
             self.parting = parting;
+            if self.hold_energy(before) {
+                self.classify(laws, table);
+            }
         }
+    }
+
+    /// Where a pocket turns a fast ball, what leans on that ball is in the way, and to part from both can take far more speed
+    /// than either: all are slowed then, by one share, until no energy is won but what lasting contacts may win. Tells whether
+    /// they are.
+    fn hold_energy(&mut self, before: f64) -> bool {
+        if self.contacts.iter().all(|contact| contact.hollow == 0.0) {
+            return false;
+        }
+        let way = |member: &Member| 0.5 * member.body.mass * member.state.velocity.length_squared();
+        let most = |member: &Member| 0.5 * member.body.mass * SLOW * SLOW;
+        let moving: f64 = self.members.iter().map(way).sum();
+        let allowed = before + self.members.iter().map(most).sum::<f64>();
+        let excess = self.energy() - allowed;
+        if excess <= 0.0 || moving <= 0.0 {
+            return false;
+        }
+        let kept = (1.0 - excess / moving).max(0.0).sqrt();
+        for member in &mut self.members {
+            member.state.velocity *= kept;
+        }
+        true
     }
 
     /// What a hollow contact gives a ball that runs along it on the way out it takes from the run: it is turned, not driven.
