@@ -170,6 +170,10 @@ fn stitch(solid: &mut Solid, [a, b]: [DVec3; 2], normal: DVec3, across: DVec3, r
     solid.band(&row(a), &row(b));
 }
 
+/// Cords of a net that lean either way, and the straight pieces of each.
+const CORDS: u32 = 14;
+const STEPS: u32 = 7;
+
 /// A net of cords that narrows to the bottom, before the dark.
 fn net(solid: &mut Solid, pocket: &Pocket, hide: &Hide) {
     let bag = |deep: f64| pocket.radius * (1.0 - 0.3 * deep * deep);
@@ -182,8 +186,6 @@ fn net(solid: &mut Solid, pocket: &Pocket, hide: &Hide) {
     sweep(solid, pocket, &rows, |_| true);
     floor(solid, pocket, bag(1.0) + 0.002);
     solid.dye(hide.cord, 0.9);
-    const CORDS: u32 = 14;
-    const STEPS: u32 = 7;
     for cord in 0..CORDS {
         for lean in [-1.0, 1.0] {
             let at = |step: u32, side: f64| {
