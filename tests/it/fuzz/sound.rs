@@ -23,12 +23,12 @@ const MOMENTUM: f64 = 1e-10;
 const OVERLAP: f64 = 0.1 * DEEP;
 
 /// Most events of a scene: two that lean on each other touch a thousand times a second, and a ball on the slate can lean on
-/// three others. One that is wedged in a pocket leans on the edge, the liner and two noses, and touches each of them up to
-/// three times in a millisecond: as it comes, when they press it, and when it parts from the last of them.
+/// three others. One that is wedged in a pocket leans on the edge, the liner, two noses and another ball, and touches each of
+/// them up to three times in a millisecond: as it comes, when they press it, and when it parts from the last of them.
 fn most_events(scene: &Scene) -> u64 {
     let wedged = scene.laws.pocket != PocketLaw::Capture && !scene.table.pockets.is_empty();
     let (balls, time) = (scene.balls.len() as f64, scene.time_limit);
-    let in_pockets = if wedged { 9000.0 * balls * time } else { 0.0 };
+    let in_pockets = if wedged { 12_000.0 * balls * time } else { 0.0 };
     2000 + (3000.0 * balls * (1.0 + time) + in_pockets) as u64
 }
 
