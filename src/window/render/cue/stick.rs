@@ -243,7 +243,7 @@ mod tests {
         let slope = 0.5 * (cue.stick.butt_width - cue.stick.tip_width) / cue.stick.length;
         let (mut first, mut last) = (f64::INFINITY, 0.0_f64);
         for [x, y, z] in polished.points().chain(matt.points()) {
-            let (along, away) = (-f64::from(x), f64::from(y).hypot(f64::from(z)));
+            let (along, away) = (-f64::from(x), libm::hypot(f64::from(y), f64::from(z)));
             first = first.min(along);
             last = last.max(along);
             let most = 0.5 * cue.stick.tip_width + slope * along + 1e-6;
