@@ -143,18 +143,18 @@ pub(super) fn hang(
     }
 }
 
-/// Nothing hangs between the table and an eye that looks down past the lamp.
+/// Nothing hangs between the table and an eye that looks down past the lamp, be it that of either half.
 pub(super) fn step_aside(
     fixture: Res<Fixture>,
-    camera: Query<&Transform, With<Camera3d>>,
+    cameras: Query<(&Transform, &Camera), With<Camera3d>>,
     mut bodies: Query<&mut Visibility, With<Body>>,
 ) {
-    let Some(eye) = camera.iter().next() else {
-        return;
+    let is_past = |eye: Vec3| {
+        let above = eye.y - fixture.height;
+        above > -0.1 && above > 0.45 * eye.with_y(0.0).length()
     };
-    let eye = eye.translation;
-    let above = eye.y - fixture.height;
-    let wanted = if above > -0.1 && above > 0.45 * eye.with_y(0.0).length() {
+    let mut eyes = cameras.iter().filter(|(_, camera)| camera.is_active);
+    let wanted = if eyes.any(|(place, _)| is_past(place.translation)) {
         Visibility::Hidden
     } else {
         Visibility::Inherited
