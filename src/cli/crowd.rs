@@ -9,6 +9,7 @@ use crate::cli::{CommandError, say, to_stdout};
 use crate::physics::scene::Scene;
 use crate::sim::clock::Clock;
 use crate::sim::messages::Failed;
+use crate::sim::play::Stopped;
 use crate::sim::stepped::crowd::Census;
 use crate::sim::stepping;
 
@@ -24,10 +25,7 @@ pub(super) fn run(
         stepping::step(&mut app, 1);
         let mut failures = app.world_mut().resource_mut::<Messages<Failed>>();
         if let Some(failed) = failures.drain().last() {
-            return Err(CommandError::Unfinished(format!(
-                "the solver stopped at {} s: {}",
-                failed.time, failed.reason
-            )));
+            return Err(Stopped::Stepped(failed).into());
         }
         let clock = app.world().resource::<Clock>();
         if !clock.moving || clock.time() >= scene.time_limit {

@@ -6,10 +6,10 @@ use std::process::ExitCode;
 
 use clap::{Args, ValueEnum};
 
-use crate::cli::simulate::simulate;
 use crate::cli::{CommandError, say};
 use crate::game::view::CameraMode;
 use crate::scenarios::library;
+use crate::sim::play::play;
 
 /// Frames that the numbers in the names of files have room for.
 const MOST: f64 = 99_999.0;
@@ -153,7 +153,7 @@ pub(super) fn run(options: &FilmOptions) -> Result<ExitCode, CommandError> {
         named("--camera", &options.camera)?,
         named("--second", &options.second)?,
     );
-    let record = simulate(&scenario.scene)?;
+    let record = play(&scenario.scene)?;
     let end = options.to.unwrap_or(record.end_time);
     let frames = (end - options.from) * options.fps * options.slow;
     if frames > MOST {

@@ -39,16 +39,21 @@ fn factor(text: &str) -> Result<f64, String> {
         .ok_or_else(|| "a number from 0 up".to_owned())
 }
 
+/// What is judged: every law, and every built-in preset.
+pub(super) fn judgement(allowance: f64) -> Result<Judgement, CommandError> {
+    let mut presets = Vec::new();
+    for built_in in preset::BUILT_IN {
+        presets.push((built_in.name.to_owned(), built_in.preset()?.equipment));
+    }
+    Ok(judge(allowance, &presets))
+}
+
 /// Judges every law, prints the tables and draws the pictures. Exit code 1 if an exact judge misses.
 pub(super) fn run(options: &JudgeOptions) -> Result<ExitCode, CommandError> {
     if options.hard {
         return hard_cases(options.json);
     }
-    let mut presets = Vec::new();
-    for built_in in preset::BUILT_IN {
-        presets.push((built_in.name.to_owned(), built_in.preset()?.equipment));
-    }
-    let judgement = judge(options.allow, &presets);
+    let judgement = judgement(options.allow)?;
     print(options, &judgement)?;
     let standard = (!options.json && !options.no_pictures).then(|| PathBuf::from("judge"));
     let drawn = options.out.clone().or(standard).map(|folder| draw(&folder));

@@ -3,16 +3,18 @@
 mod crowd;
 mod film;
 mod judge;
+mod laws;
 mod list;
 mod picture;
 mod play;
 mod report;
 mod rules;
 mod run;
+mod scene_options;
 mod sensitivity;
 mod share;
-mod simulate;
 mod solve;
+mod sweep;
 mod tournament;
 mod write;
 
@@ -32,13 +34,16 @@ use crate::report::record_file::RecordFileError;
 use crate::scenarios::file::FileError;
 use crate::scenarios::library::OpenError;
 use crate::scenarios::share::ShareError;
+use crate::sim::play::Stopped;
 use film::FilmOptions;
 use judge::JudgeOptions;
+use laws::LawsOptions;
 use picture::PictureOptions;
 use report::ReportOptions;
 use run::RunOptions;
 use sensitivity::SensitivityOptions;
 use solve::SolveOptions;
+use sweep::SweepOptions;
 use tournament::TournamentOptions;
 
 /// Massé: a billiards game and simulator.
@@ -60,8 +65,10 @@ use tournament::TournamentOptions;
         masse run my.ron --solver stepped --tick 0.001 --out my.jsonl\n  \
         masse picture my.jsonl my.svg                draw a run that was written, without running it again\n  \
         masse film butterfly --out frames            numbered pictures of a shot for a video\n  \
+        masse sweep follow --over speed=1:7:100      the same shot at a hundred speeds, as a table\n  \
         masse write gas gas.ron                      write a scene out in full, to change it\n  \
         masse tournament --racks 20                  computer against computer\n  \
+        masse laws Han2005                           formula, paper, numbers and errors of a law\n  \
         masse judge                                  every law beside closed forms and experiments\n  \
         masse report --quick                         what each solver costs, and how far it is off\n  \
         masse write snooker my-table.ron             copy a preset, with the sources of its numbers\n  \
@@ -106,6 +113,8 @@ enum Command {
     Solve(SolveOptions),
     /// Tell how far each number of a stroke may vary before its shot fails, and draw a map over two of them
     Sensitivity(SensitivityOptions),
+    /// Play a scene many times with other numbers, on all threads, and write a table with a row a shot
+    Sweep(SweepOptions),
     /// Print a scene as a short text that can be pasted; every command that takes a scene takes the text too
     Share {
         /// Built-in scene or scene file
@@ -117,6 +126,8 @@ enum Command {
     Film(FilmOptions),
     /// Compare every law with closed forms and with experiments: tables and pictures
     Judge(JudgeOptions),
+    /// Name the laws with their papers and their errors, or tell the formula and the numbers of one
+    Laws(LawsOptions),
     /// Measure speed against error of every solver: tables and pictures
     Report(ReportOptions),
     /// Let the computer opponents play each other: win rates, pots, fouls, thought
@@ -159,6 +170,9 @@ enum CommandError {
     #[error("command line: {0}")]
     Usage(String),
     /// The solver gave up.
+    #[error(transparent)]
+    Stopped(#[from] Stopped),
+    /// What was begun could not be brought to an end.
     #[error("{0}")]
     Unfinished(String),
     /// There is nothing to draw with.
@@ -184,7 +198,7 @@ impl CommandError {
             | Self::Options(_)
             | Self::Usage(_) => 2,
             Self::Write { .. } => 3,
-            Self::Unfinished(_) => 4,
+            Self::Stopped(_) | Self::Unfinished(_) => 4,
             Self::NoDisplay(_) => 5,
         }
     }
@@ -224,10 +238,12 @@ pub fn main() -> ExitCode {
         Some(Command::Run(options)) => run::run(&options),
         Some(Command::Solve(options)) => solve::run(&options),
         Some(Command::Sensitivity(options)) => sensitivity::run(&options),
+        Some(Command::Sweep(options)) => sweep::run(&options),
         Some(Command::Share { scene }) => share::share(&scene).map(|()| ExitCode::SUCCESS),
         Some(Command::Picture(options)) => picture::draw(&options).map(|()| ExitCode::SUCCESS),
         Some(Command::Film(options)) => film::run(&options),
         Some(Command::Judge(options)) => judge::run(&options),
+        Some(Command::Laws(options)) => laws::run(&options).map(|()| ExitCode::SUCCESS),
         Some(Command::Report(options)) => report::run(&options),
         Some(Command::Tournament(options)) => tournament::run(&options).map(|()| ExitCode::SUCCESS),
         Some(Command::List) => list::list().map(|()| ExitCode::SUCCESS),

@@ -4,11 +4,11 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use crate::cli::simulate::simulate;
 use crate::cli::{CommandError, to_file};
 use crate::report::picture::{self, Style};
 use crate::report::{raster, record_file};
 use crate::scenarios::{library, share};
+use crate::sim::play::play;
 
 /// What to draw, and how.
 #[derive(Args, Debug)]
@@ -67,7 +67,7 @@ pub(super) fn draw(options: &PictureOptions) -> Result<(), CommandError> {
         if options.before {
             picture::draw_set_up(title, scene)
         } else {
-            picture::draw_as(title, scene, &simulate(scene)?, options.style())
+            picture::draw_as(title, scene, &play(scene)?, options.style())
         }
     } else {
         let run = record_file::read(std::path::Path::new(&options.what))?;

@@ -4,13 +4,13 @@ use std::path::Path;
 use std::process::ExitCode;
 use std::time::Instant;
 
-use crate::cli::simulate::simulate;
 use crate::cli::{CommandError, say, to_file, to_stdout};
 use crate::game::racking;
 use crate::physics::scene::{Rack, Solver};
 use crate::report::{picture, record_file};
 use crate::scenarios::file::Scenario;
 use crate::scenarios::{library, preset};
+use crate::sim;
 
 /// The scene that is run where there is no window.
 const BREAK: &str = "break-eight";
@@ -132,7 +132,7 @@ fn fall_back(reason: &str, name: &str, scenario: &Scenario) -> Result<(), Comman
     say(&format!(
         "masse: {reason}, so {what} runs without a window and is drawn in {file}."
     ));
-    let record = simulate(&scenario.scene)?;
+    let record = sim::play::play(&scenario.scene)?;
     let drawn = picture::draw(&scenario.title, &scenario.scene, &record);
     to_file(Path::new(file), drawn.as_bytes())?;
     let summary = record_file::Summary::of(name, &scenario.title, &scenario.scene, &record);

@@ -1,42 +1,34 @@
 //! `masse run`.
 
+use std::fs::File;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 
-use crate::cli::simulate::simulate;
+use crate::cli::scene_options::SceneOptions;
 use crate::cli::{CommandError, crowd, say, to_file, to_stdout};
 use crate::physics::cue_path::{self, Obstacle};
-use crate::physics::scene::{Scene, Solver, Stepped};
+use crate::physics::scene::Scene;
 use crate::report::record_file::Expected;
-use crate::report::{picture, record_file};
+use crate::report::{picture, record_file, states};
 use crate::scenarios::expect::Outcome;
-use crate::scenarios::{library, preset};
+use crate::sim::play::play;
 
 /// What to run, and how.
 #[derive(Args, Debug)]
 pub(super) struct RunOptions {
-    /// Built-in scene (see `masse list`) or path of a scene file
-    scene: String,
-    /// Solver to use instead of the one the scene names
-    #[arg(long, value_enum)]
-    solver: Option<SolverName>,
-    /// Length in s of a tick of the stepped solver
-    #[arg(long, value_name = "S")]
-    tick: Option<f64>,
-    /// Grid of the stepped solver, such as 20x20; `none` tests every pair
-    #[arg(long, value_name = "COLUMNSxROWS", value_parser = grid)]
-    grid: Option<GridOption>,
-    /// Seconds after which the run ends even if balls still move
-    #[arg(long, value_name = "S")]
-    time_limit: Option<f64>,
-    /// Preset to play it with (see `masse list`), or a preset file
-    #[arg(long, value_name = "NAME|FILE")]
-    preset: Option<String>,
+    #[command(flatten)]
+    what: SceneOptions,
     /// File for the record, instead of the standard output
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
+    /// File for a table of every ball at even times, in CSV: time, ball, place, velocity, spin, kind of motion
+    #[arg(long, value_name = "FILE.csv")]
+    states: Option<PathBuf>,
+    /// Seconds between two times of the table
+    #[arg(long, value_name = "S", default_value_t = 0.01, value_parser = step, requires = "states")]
+    every: f64,
     /// File for a picture of the paths, in SVG
     #[arg(long, value_name = "FILE.svg")]
     picture: Option<PathBuf>,
@@ -45,31 +37,15 @@ pub(super) struct RunOptions {
     quiet: bool,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum SolverName {
-    /// Every event at its own time
-    Exact,
-    /// A fixed tick
-    Stepped,
-}
-
-#[derive(Clone, Copy, Debug)]
-struct GridOption(Option<(u32, u32)>);
-
-fn grid(text: &str) -> Result<GridOption, String> {
-    if text == "none" {
-        return Ok(GridOption(None));
-    }
-    text.split_once('x')
-        .and_then(|(columns, rows)| Some((columns.parse().ok()?, rows.parse().ok()?)))
-        .map(|cells| GridOption(Some(cells)))
-        .ok_or_else(|| "two numbers such as 20x20, or `none`".to_owned())
+fn step(text: &str) -> Result<f64, String> {
+    let step = text.parse().ok();
+    step.filter(|step: &f64| step.is_finite() && *step > 0.0)
+        .ok_or_else(|| "a number of seconds above 0".to_owned())
 }
 
 /// Runs a scene and writes its record and, if asked for, its picture. Exit code 1 if an expectation is missed.
 pub(super) fn run(options: &RunOptions) -> Result<ExitCode, CommandError> {
-    let mut scenario = library::open(&options.scene)?;
-    options.change(&mut scenario.scene)?;
+    let scenario = options.what.open()?;
     let (scene, title) = (&scenario.scene, &scenario.title);
     if !options.quiet
         && let Some(note) = cue_note(scene)
@@ -77,18 +53,19 @@ pub(super) fn run(options: &RunOptions) -> Result<ExitCode, CommandError> {
         say(&note);
     }
     if scene.solver.is_crowd() {
-        if options.out.is_some() || options.picture.is_some() {
+        if options.out.is_some() || options.picture.is_some() || options.states.is_some() {
             return Err(CommandError::Usage(
-                "--out and --picture: a crowd is counted, not written down ball by ball".to_owned(),
+                "--out, --states and --picture: a crowd is counted, not written down ball by ball"
+                    .to_owned(),
             ));
         }
-        return crowd::run(&options.scene, title, scene, options.quiet);
+        return crowd::run(&options.what.scene, title, scene, options.quiet);
     }
-    let record = simulate(scene)?;
+    let record = play(scene)?;
     let outcomes = scenario.judge(&record);
     let expected: Vec<Expected> = outcomes.iter().map(told).collect();
     let written = |out: &mut dyn std::io::Write| {
-        record_file::write_judged(out, &options.scene, title, scene, &record, &expected)
+        record_file::write_judged(out, &options.what.scene, title, scene, &record, &expected)
     };
     if let Some(path) = &options.out {
         let mut lines = Vec::new();
@@ -100,11 +77,19 @@ pub(super) fn run(options: &RunOptions) -> Result<ExitCode, CommandError> {
     } else if !options.quiet {
         to_stdout(written)?;
     }
+    if let Some(path) = &options.states {
+        File::create(path)
+            .and_then(|file| states::write(file, scene, &record, options.every))
+            .map_err(|source| CommandError::Write {
+                to: path.display().to_string(),
+                source,
+            })?;
+    }
     if let Some(path) = &options.picture {
         to_file(path, picture::draw(title, scene, &record).as_bytes())?;
     }
     if !options.quiet {
-        let summary = record_file::Summary::of(&options.scene, title, scene, &record);
+        let summary = record_file::Summary::of(&options.what.scene, title, scene, &record);
         say(&summary.text());
         for outcome in &outcomes {
             say(&format!("  {}", outcome.sentence()));
@@ -155,43 +140,4 @@ fn cue_note(scene: &Scene) -> Option<String> {
         "note: at {:.2} degrees the cue would pass through {what}; {need}",
         planned.shot.elevation.to_degrees()
     ))
-}
-
-impl RunOptions {
-    /// Changes a scene to what the options say.
-    fn change(&self, scene: &mut Scene) -> Result<(), CommandError> {
-        if let Some(name) = &self.preset {
-            let shot = scene.shot;
-            if !preset::open(name)?.equipment.take_over(scene) {
-                return Err(CommandError::Usage(format!(
-                    "--preset {name}: the balls of the scene have no room there"
-                )));
-            }
-            scene.shot = shot;
-        }
-        match (self.solver, scene.solver) {
-            (Some(SolverName::Exact), _) => scene.solver = Solver::Exact,
-            (Some(SolverName::Stepped), Solver::Exact) => {
-                scene.solver = Solver::Stepped(Stepped::default());
-            }
-            _ => {}
-        }
-        if let Some(time_limit) = self.time_limit {
-            scene.time_limit = time_limit;
-        }
-        if self.tick.is_some() || self.grid.is_some() {
-            let Solver::Stepped(stepped) = &mut scene.solver else {
-                return Err(CommandError::Usage(
-                    "--tick and --grid belong to the stepped solver; add --solver stepped"
-                        .to_owned(),
-                ));
-            };
-            stepped.tick = self.tick.unwrap_or(stepped.tick);
-            if let Some(GridOption(cells)) = self.grid {
-                stepped.grid = cells;
-            }
-        }
-        scene.check()?;
-        Ok(())
-    }
 }

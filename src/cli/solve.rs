@@ -7,10 +7,10 @@ use std::time::Instant;
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 
-use crate::cli::simulate::simulate;
 use crate::cli::{CommandError, say, to_file, to_stdout};
 use crate::scenarios::search::{self, Plan, Watch};
 use crate::scenarios::{file, library};
+use crate::sim::play::play;
 
 /// What to search, and how.
 #[derive(Args, Debug)]
@@ -76,7 +76,7 @@ pub(super) fn run(options: &SolveOptions) -> Result<ExitCode, CommandError> {
         let (label, unit) = free.label();
         say(&format!("  {label}: {value} {unit}"));
     }
-    let record = simulate(&found.scenario.scene)?;
+    let record = play(&found.scenario.scene)?;
     let outcomes = found.scenario.judge(&record);
     for outcome in &outcomes {
         say(&format!("  {}", outcome.sentence()));

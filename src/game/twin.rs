@@ -11,13 +11,12 @@ use bevy::tasks::{AsyncComputeTaskPool, Task, block_on};
 use crate::game::replay::Replay;
 use crate::game::view::{Beside, View};
 use crate::physics::ball::State;
-use crate::physics::exact::{self, Limits};
 use crate::physics::laws::Laws;
 use crate::physics::record::{Event, EventKind, Record};
 use crate::physics::scene::{Scene, Solver, Stepped};
 use crate::sim::clock::Clock;
+use crate::sim::play::play;
 use crate::sim::recorder::Recorder;
-use crate::sim::stepping;
 
 /// Which laws the twin has.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -69,19 +68,6 @@ pub fn twin_of(before: &Scene, events: &[Event]) -> Scene {
         }
     }
     scene
-}
-
-/// Plays a twin to its end. The reason why not, if that cannot be done.
-///
-/// # Errors
-/// What the solver says.
-pub fn play(scene: &Scene) -> Result<Record, String> {
-    match scene.solver {
-        Solver::Exact => exact::solve(scene, Limits::default()).map_err(|error| error.to_string()),
-        Solver::Stepped(_) => stepping::try_run_to_rest(scene)
-            .map(|(record, _)| record)
-            .map_err(|failed| failed.reason),
-    }
 }
 
 /// The twin of the last stroke.
@@ -136,7 +122,7 @@ fn begin(mut twin: ResMut<Twin>, recorder: Res<Recorder>) {
     }
     twin.clear();
     twin.of = Some(scene.clone());
-    let work = async move { play(&scene) };
+    let work = async move { play(&scene).map_err(|error| error.to_string()) };
     twin.work = Some(AsyncComputeTaskPool::get().spawn(work));
 }
 
@@ -204,7 +190,7 @@ mod tests {
                 ..Shot::default()
             },
         });
-        let record = exact::solve(&scene, Limits::default()).expect("it can be played");
+        let record = play(&scene).expect("it can be played");
         (scene, record)
     }
 

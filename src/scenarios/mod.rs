@@ -10,3 +10,4 @@ pub mod preset;
 pub mod search;
 pub mod sensitivity;
 pub mod share;
+pub mod sweep;

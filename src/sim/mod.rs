@@ -6,6 +6,7 @@ pub mod clock;
 pub mod components;
 pub mod exact;
 pub mod messages;
+pub mod play;
 pub mod playfield;
 pub mod recorder;
 pub mod saved;

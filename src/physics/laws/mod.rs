@@ -13,6 +13,7 @@ pub mod pocket;
 pub mod restitution;
 mod rub;
 pub mod slate;
+pub mod source;
 
 use glam::{DVec2, DVec3};
 use serde::{Deserialize, Serialize};

@@ -14,8 +14,9 @@ use crate::report::judge::experiments::{
     oblique_speeds, settled_normal, square_ratio, throw_points,
 };
 use crate::report::judge::measurements::{FROZEN_PAIR, MATHAVAN_2010, THREE_CUSHION_SETTLED};
-use crate::report::judge::stand::{Stand, Stopped, cut_line, play, room, rough, smooth, turn};
+use crate::report::judge::stand::{Stand, cut_line, room, rough, smooth, turn};
 use crate::report::judge::{Family, Measure, Row, Work};
+use crate::sim::play::{Stopped, play};
 
 pub(super) const ALL: &[Family] = &[
     ("C1 drag", Work::Shots(drag)),

@@ -18,14 +18,15 @@ pub mod hard;
 mod measurements;
 pub mod pictures;
 mod row;
-mod stand;
-mod table;
+pub(in crate::report) mod stand;
+pub(in crate::report) mod table;
 
 pub use experiments::Named;
 pub use row::{CLOSED_FORM, Measure, Row};
-pub use stand::Stopped;
 
 use serde::Serialize;
+
+use crate::sim::play::Stopped;
 
 /// Everything the judge says.
 #[derive(Clone, Debug, PartialEq, Serialize)]

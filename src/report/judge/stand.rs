@@ -4,35 +4,19 @@
 use std::fmt::Debug;
 
 use glam::DVec3;
-use thiserror::Error;
 
 use crate::physics::ball::{Ball, Motion, State};
-use crate::physics::exact::{Limits, SolveError, solve};
 use crate::physics::laws::Laws;
 use crate::physics::laws::ball_ball::{
     BallBallLaw, Friction, Frictional, PairContact, PairOutcome,
 };
 use crate::physics::laws::cushion::{CushionContact, CushionLaw};
 use crate::physics::laws::motion::{Cloth, MotionLaw};
-use crate::physics::record::Record;
 use crate::physics::scene::{Scene, Solver};
 use crate::physics::table::{Nose, Preset};
-use crate::sim::messages::Failed;
-use crate::sim::stepping;
 
 /// The nose of the papers.
 pub(super) const EDGE: Nose = Nose::Round { radius: 0.0 };
-
-/// Why a shot could not be played.
-#[derive(Clone, Debug, Error)]
-pub enum Stopped {
-    /// By the exact solver.
-    #[error("the exact solver stopped: {0}")]
-    Exact(#[from] SolveError),
-    /// By the stepped solver.
-    #[error("the stepped solver stopped at {} s: {}", .0.time, .0.reason)]
-    Stepped(Failed),
-}
 
 /// Balls of one kind on a cloth.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -199,16 +183,6 @@ pub(super) fn room(laws: Laws) -> Scene {
     scene
 }
 
-/// Plays a scene with the solver that it names.
-pub(super) fn play(scene: &Scene) -> Result<Record, Stopped> {
-    match scene.solver {
-        Solver::Exact => Ok(solve(scene, Limits::default())?),
-        Solver::Stepped(_) => stepping::try_run_to_rest(scene)
-            .map(|(record, _)| record)
-            .map_err(Stopped::Stepped),
-    }
-}
-
 /// Line of centres of a cut by this angle in rad by a ball that comes along x: turned to the left.
 pub(super) fn cut_line(cut: f64) -> DVec3 {
     DVec3::new(libm::cos(cut), 0.0, -libm::sin(cut))
@@ -220,7 +194,7 @@ pub(super) fn turn(from: DVec3, to: DVec3) -> f64 {
 }
 
 /// The name of a law as a scene file has it, such as `Han2005`.
-pub(super) fn name_of(law: &impl Debug) -> String {
+pub(in crate::report) fn name_of(law: &impl Debug) -> String {
     let text = format!("{law:?}");
     let end = text
         .find(|letter: char| !letter.is_alphanumeric())

@@ -27,7 +27,9 @@ pub(super) fn text(judgement: &Judgement) -> String {
             &judgement.coursework,
         ),
     ];
-    for (title, rows) in tables {
+    // Of one law there may be no rows of a kind.
+    let tables = tables.iter().filter(|(_, rows)| !rows.is_empty());
+    for (title, rows) in tables.clone() {
         table(&mut text, title, rows);
     }
     for (title, rows) in tables {
@@ -68,7 +70,7 @@ fn table(text: &mut String, title: &str, rows: &[Row]) {
 }
 
 /// A head and rows as lines with columns of even width, names to the left, the columns of numbers to the right.
-pub(super) fn columns<const N: usize>(
+pub(in crate::report) fn columns<const N: usize>(
     head: &[String; N],
     rows: &[[String; N]],
     numbers: Range<usize>,

@@ -8,11 +8,11 @@ use crate::physics::ball::State;
 use crate::physics::exact::Engine;
 use crate::physics::exact::Limits;
 use crate::physics::scene::{Scene, Solver, Stepped};
-use crate::report::judge::Stopped;
 use crate::report::speed_and_error::error::energy;
 use crate::report::speed_and_error::many::gas;
 use crate::report::speed_and_error::play::{self, SAMPLES, app, step};
 use crate::report::speed_and_error::{Effort, Method};
+use crate::sim::play::Stopped;
 use crate::sim::stepped::crowd::{Crowd, Mirror};
 use crate::sim::stepping;
 

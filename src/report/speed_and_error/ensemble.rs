@@ -4,7 +4,6 @@ use rayon::prelude::*;
 
 use crate::physics::ball::{Motion, State};
 use crate::physics::scene::Scene;
-use crate::report::judge::Stopped;
 use crate::report::speed_and_error::fit::mean_and_spread;
 use crate::report::speed_and_error::horizon::turned;
 use crate::report::speed_and_error::ladder::{GAS, LOOSENED};
@@ -12,6 +11,7 @@ use crate::report::speed_and_error::many::{self, gas};
 use crate::report::speed_and_error::measure::Scene as Measurements;
 use crate::report::speed_and_error::play::{SAMPLES, play};
 use crate::report::speed_and_error::{BOARD, BREAK, DAM, Effort, Method, Named, Progress};
+use crate::sim::play::Stopped;
 
 /// The shots are turned by up to this angle in rad to either side: no more than a good player's scatter.
 const SCATTER: f64 = 1e-3;

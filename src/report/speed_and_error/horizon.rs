@@ -5,8 +5,8 @@ use glam::DVec3;
 use crate::physics::exact::{Limits, solve};
 use crate::physics::record::Record;
 use crate::physics::scene::Scene;
-use crate::report::judge::Stopped;
 use crate::report::speed_and_error::play::{Played, SAMPLES, Touch, sampled};
+use crate::sim::play::Stopped;
 
 /// The turn in rad that stands for what nobody can know: a thousand roundings of a direction.
 pub const NUDGE: f64 = 1e-13;

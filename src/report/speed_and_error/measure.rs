@@ -2,7 +2,6 @@
 
 use std::time::Instant;
 
-use crate::report::judge::Stopped;
 use crate::report::speed_and_error::crowds::{self, GRIDS, cost_of_crowd, cost_of_grid};
 use crate::report::speed_and_error::ensemble::{COUNTED_OF, statistics};
 use crate::report::speed_and_error::fit::{Convergence, convergence, pareto};
@@ -13,6 +12,7 @@ use crate::report::speed_and_error::play::{SAMPLES, cost, play};
 use crate::report::speed_and_error::{
     Effort, Errors, Method, Named, Progress, Report, Rung, Truth,
 };
+use crate::sim::play::Stopped;
 
 /// Error in m that is no more than rounding, however little a scene amplifies it.
 const ROUNDING: f64 = 1e-9;

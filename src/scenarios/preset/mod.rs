@@ -23,6 +23,7 @@ mod numbers;
 mod outfit;
 
 pub(in crate::scenarios) use cue::CueEntry;
+pub(in crate::scenarios) use numbers::set_in_scene;
 pub(in crate::scenarios) use outfit::{Outfit, located};
 
 use std::path::{Path, PathBuf};

@@ -5,6 +5,7 @@
 
 use std::collections::BTreeMap;
 
+use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
@@ -12,13 +13,13 @@ use crate::physics::ball::Ball;
 use crate::physics::cue::Cue;
 use crate::physics::equipment::Equipment;
 use crate::physics::laws::{Check, Laws, Parameter};
-use crate::physics::scene::SceneError;
+use crate::physics::scene::{Scene, SceneError};
 use crate::scenarios::file::{FieldError, LayoutError};
 
 /// Numbers by their paths.
 pub(super) type Numbers = BTreeMap<String, f64>;
 
-/// What can be set.
+/// What can be set in an equipment.
 #[derive(Serialize, Deserialize)]
 struct Settable {
     table: SettableTable,
@@ -32,6 +33,14 @@ struct Settable {
 #[derive(Serialize, Deserialize)]
 struct SettableTable {
     nose_height: f64,
+}
+
+/// What can be set in a scene whose balls are there already.
+#[derive(Serialize, Deserialize)]
+struct Surroundings {
+    table: SettableTable,
+    laws: Laws,
+    cue: Cue,
 }
 
 /// Sets these numbers.
@@ -49,25 +58,53 @@ pub(super) fn set(equipment: &mut Equipment, numbers: &Numbers) -> Result<(), La
         ball: equipment.balls.object,
         cue_ball: equipment.balls.cue,
     };
-    let unwritable = |error: serde_json::Error| {
-        let message = error.to_string();
-        LayoutError::from(crate::scenarios::file::FileError::Write { message })
-    };
-    let mut tree = serde_json::to_value(all).map_err(unwritable)?;
-    for (path, &value) in numbers {
-        if !value.is_finite() {
-            let field = path.clone();
-            return Err(SceneError::NotFinite { field, value }.into());
-        }
-        *number(&mut tree, path)? = Value::from(value);
-    }
-    let all: Settable = serde_json::from_value(tree).map_err(unwritable)?;
+    let numbers = numbers.iter().map(|(path, value)| (path.as_str(), *value));
+    let all = changed(&all, numbers)?;
     equipment.table.nose_height = all.table.nose_height;
     equipment.laws = all.laws;
     equipment.cue = all.cue;
     equipment.balls.object = all.ball;
     equipment.balls.cue = all.cue_ball;
     Ok(())
+}
+
+/// Sets numbers of the laws, the cue and the table of a scene.
+pub(in crate::scenarios) fn set_in_scene<'n>(
+    scene: &mut Scene,
+    numbers: impl Iterator<Item = (&'n str, f64)>,
+) -> Result<(), LayoutError> {
+    let all = Surroundings {
+        table: SettableTable {
+            nose_height: scene.table.nose_height,
+        },
+        laws: scene.laws,
+        cue: scene.cue,
+    };
+    let all = changed(&all, numbers)?;
+    scene.table.nose_height = all.table.nose_height;
+    scene.laws = all.laws;
+    scene.cue = all.cue;
+    Ok(())
+}
+
+/// The same with other numbers.
+fn changed<'n, T: Serialize + DeserializeOwned>(
+    all: &T,
+    numbers: impl Iterator<Item = (&'n str, f64)>,
+) -> Result<T, LayoutError> {
+    let unwritable = |error: serde_json::Error| {
+        let message = error.to_string();
+        LayoutError::from(crate::scenarios::file::FileError::Write { message })
+    };
+    let mut tree = serde_json::to_value(all).map_err(unwritable)?;
+    for (path, value) in numbers {
+        if !value.is_finite() {
+            let field = path.to_owned();
+            return Err(SceneError::NotFinite { field, value }.into());
+        }
+        *number(&mut tree, path)? = Value::from(value);
+    }
+    serde_json::from_value(tree).map_err(unwritable)
 }
 
 /// No number that stands already is infinite or none: such have no serialized form.

@@ -27,6 +27,7 @@ pub use free::{Free, Tie};
 pub use player::Player;
 pub use robust::robustness;
 pub use rounds::{Found, Plan, Watch, solve};
+pub(in crate::scenarios) use spread::{normal, numbers};
 
 use thiserror::Error;
 

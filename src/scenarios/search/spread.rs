@@ -5,7 +5,7 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 /// The numbers of one task of a search: the same for the same seed, round and task.
-pub(super) fn numbers(seed: u64, round: u64, task: u64) -> ChaCha8Rng {
+pub(in crate::scenarios) fn numbers(seed: u64, round: u64, task: u64) -> ChaCha8Rng {
     let mut rng = ChaCha8Rng::seed_from_u64(seed ^ round.wrapping_mul(0x9e37_79b9_7f4a_7c15));
     rng.set_stream(task);
     rng
@@ -25,7 +25,7 @@ pub(super) fn latin(rng: &mut ChaCha8Rng, count: usize, sides: usize) -> Vec<Vec
 }
 
 /// A number from the standard normal distribution (Box & Muller 1958).
-pub(super) fn normal(rng: &mut ChaCha8Rng) -> f64 {
+pub(in crate::scenarios) fn normal(rng: &mut ChaCha8Rng) -> f64 {
     let radius = (-2.0 * libm::log(1.0 - rng.random::<f64>())).sqrt();
     radius * libm::cos(std::f64::consts::TAU * rng.random::<f64>())
 }

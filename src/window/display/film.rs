@@ -15,6 +15,7 @@ use crate::game::view::{Beside, CameraMode, SceneCameras, View};
 use crate::physics::record::Record;
 use crate::physics::scene::Scene;
 use crate::sim::clock::Clock;
+use crate::sim::play::play;
 use crate::sim::recorder::Recorder;
 use crate::window::display::NoDisplay;
 use crate::window::display::snapshot::{PATIENCE, WARM, set_up};
@@ -83,7 +84,9 @@ impl Film<'_> {
             return Ok(None);
         }
         let scene = twin::twin_of(self.scene, &self.record.events);
-        twin::play(&scene).map(Some).map_err(FilmError::Twin)
+        play(&scene)
+            .map(Some)
+            .map_err(|error| FilmError::Twin(error.to_string()))
     }
 
     /// Draws every frame and hands it over, in order: its number from 1, how many there are, and its pixels, sRGB with

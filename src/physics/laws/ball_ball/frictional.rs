@@ -12,7 +12,15 @@ use serde::{Deserialize, Serialize};
 
 use crate::physics::ball::{Ball, State};
 use crate::physics::laws::ball_ball::{Friction, Frictionless, PairContact, PairOutcome};
+use crate::physics::laws::source::Source;
 use crate::physics::laws::{Check, Parameter};
+
+/// Where the law comes from.
+pub(super) const SOURCE: Source = Source {
+    paper: "Alciatore, TP A.14; friction fitted to Marlow (1995)",
+    formula: "Jₜ = min(μ Jₙ, (2/7) m* |u|) against the slip u",
+    leaves_out: "the cloth under the balls while they touch: up to 0.4° and 0.004 m/s",
+};
 
 /// Rough balls.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]

@@ -8,7 +8,15 @@ use serde::{Deserialize, Serialize};
 
 use crate::physics::ball::{Ball, State};
 use crate::physics::laws::ball_ball::{PairContact, PairOutcome};
+use crate::physics::laws::source::Source;
 use crate::physics::laws::{Check, Parameter};
+
+/// Where the law comes from.
+pub(super) const SOURCE: Source = Source {
+    paper: "Newton's law of restitution; Alciatore, TP A.5 and A.6",
+    formula: "Jₙ = (1 + e) m* (v₁ − v₂)·n",
+    leaves_out: "throw and passed-on spin",
+};
 
 /// Smooth balls.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]

@@ -20,7 +20,15 @@ use serde::{Deserialize, Serialize};
 use crate::physics::ball::{Ball, State};
 use crate::physics::laws::ball_ball::{Friction, Frictional, PairContact, PairOutcome};
 use crate::physics::laws::rub::{Accuracy, Limit, Rub};
+use crate::physics::laws::source::Source;
 use crate::physics::laws::{Check, Parameter};
+
+/// Where the law comes from.
+pub(super) const SOURCE: Source = Source {
+    paper: "Mathavan, Jackson & Parkin, Sports Eng. 17 (2014) 227",
+    formula: "as Frictional along the impulse P, the cloth rubs with μₛ times the vertical friction; e² of the work comes back",
+    leaves_out: "nothing known on the slate; in flight it is Frictional",
+};
 
 /// Largest product of the frictions of balls and cloth that is followed; at 1 the impact jams.
 const FREE: f64 = 0.9;

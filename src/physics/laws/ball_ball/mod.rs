@@ -16,6 +16,7 @@ use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 use crate::physics::ball::{Ball, State};
+use crate::physics::laws::source::Source;
 use crate::physics::laws::{Check, Parameter};
 
 /// What is known of the restitution of two balls.
@@ -116,6 +117,17 @@ impl BallBallLaw {
             outcome.second.velocity.y = 0.0;
         }
         outcome
+    }
+
+    /// Where the law comes from.
+    #[must_use]
+    pub fn source(&self) -> Source {
+        match self {
+            Self::Frictionless(_) => frictionless::SOURCE,
+            Self::Frictional(_) => frictional::SOURCE,
+            Self::Mathavan2014(_) => mathavan_2014::SOURCE,
+            Self::PeerCap(_) => peer_cap::SOURCE,
+        }
     }
 
     /// The law's own restitution.

@@ -8,7 +8,15 @@ use serde::{Deserialize, Serialize};
 
 use crate::physics::ball::{Ball, State};
 use crate::physics::laws::ball_ball::{Frictional, PairContact, PairOutcome};
+use crate::physics::laws::source::Source;
 use crate::physics::laws::{Check, Parameter};
+
+/// Where the law comes from.
+pub(super) const SOURCE: Source = Source {
+    paper: "pooltool 0.6.0, frictional_inelastic",
+    formula: "as Frictional, with μ 2 e m* vₙ as the limit of friction",
+    leaves_out: "part of Coulomb's limit: for comparison with its data only",
+};
 
 /// Rough balls with the peer's limit of friction.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]

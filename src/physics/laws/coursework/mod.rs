@@ -26,7 +26,15 @@ use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 use crate::physics::ball::{Ball, State};
+use crate::physics::laws::source::Source;
 use crate::physics::laws::{Check, Parameter};
+
+/// Where the law comes from.
+pub(super) const SOURCE: Source = Source {
+    paper: "the coursework report that this program grew out of",
+    formula: "V′ = V − V u dt, spin follows and pushes by rates",
+    leaves_out: "sliding friction of a fixed size: nothing ever stops; stepped solver only",
+};
 
 /// The report's friction.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]

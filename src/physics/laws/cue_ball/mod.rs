@@ -17,6 +17,14 @@ use glam::DVec3;
 use crate::physics::ball::{Ball, State};
 use crate::physics::cue::{Cue, Shot};
 use crate::physics::laws::slate::SlateLaw;
+use crate::physics::laws::source::Source;
+
+/// Where the law comes from.
+pub const SOURCE: Source = Source {
+    paper: "Alciatore, TP A.30, with a tip restitution below 1; squirt TP A.31",
+    formula: "J = (1 + e) V₀ (q·c) / (1/M + 1/m + |Q × q|²/I); tan α = 2.5 b √(1 − b²) / (1 + m/mₑ + 2.5 (1 − b²))",
+    leaves_out: "a second touch; the miscue is our own continuation",
+};
 
 /// What a stroke does to a ball.
 #[derive(Clone, Copy, Debug, PartialEq)]

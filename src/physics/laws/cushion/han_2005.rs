@@ -13,7 +13,15 @@ use serde::{Deserialize, Serialize};
 use crate::physics::ball::{Ball, State};
 use crate::physics::laws::cushion::CushionContact;
 use crate::physics::laws::restitution::{NoseFriction, Restitution};
+use crate::physics::laws::source::Source;
 use crate::physics::laws::{Check, Parameter};
+
+/// Where the law comes from.
+pub(super) const SOURCE: Source = Source {
+    paper: "Han, J. Mech. Sci. Tech. 19 (2005) 976, eqs 14 to 20; fits eq. 26",
+    formula: "Jₙ = (1 + e) m c along the inclined normal, min(μ Jₙ, (2/7) m |s|) across it",
+    leaves_out: "the cloth under a ball that the nose presses down, and the vertical outcome",
+};
 
 /// Han's cushion.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]

@@ -13,7 +13,15 @@ use serde::{Deserialize, Serialize};
 use crate::physics::ball::{Ball, State};
 use crate::physics::laws::cushion::{CushionContact, Inclination};
 use crate::physics::laws::restitution::{NoseFriction, Restitution};
+use crate::physics::laws::source::Source;
 use crate::physics::laws::{Check, Parameter};
+
+/// Where the law comes from.
+pub(super) const SOURCE: Source = Source {
+    paper: "Coulomb impact of a sphere as in Alciatore, TP A.14; pooltool, impulse_frictional_inelastic",
+    formula: "Jₙ = (1 + e) m |v·n| in space, min(μ Jₙ, (2/7) m |u|) across it",
+    leaves_out: "the cloth under the ball, and give along the rubber",
+};
 
 /// A rigid, rough nose.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]

@@ -17,7 +17,15 @@ use crate::physics::ball::{Ball, State};
 use crate::physics::laws::cushion::CushionContact;
 use crate::physics::laws::restitution::{NoseFriction, Restitution};
 use crate::physics::laws::rub::{Accuracy, Limit, Rub};
+use crate::physics::laws::source::Source;
 use crate::physics::laws::{Check, Parameter};
+
+/// Where the law comes from.
+pub(super) const SOURCE: Source = Source {
+    paper: "Mathavan, Jackson & Parkin, Proc. IMechE C 224 (2010) 1863",
+    formula: "nose and cloth rub at once along the impulse P; e² of the work comes back",
+    leaves_out: "rubber that yields: good below 2.5 m/s along the normal",
+};
 
 /// Mathavan's cushion.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]

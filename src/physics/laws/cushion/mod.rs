@@ -17,6 +17,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::physics::ball::{Ball, Motion, State};
 use crate::physics::laws::restitution::Restitution;
+use crate::physics::laws::source::Source;
 use crate::physics::laws::{Check, Parameter};
 use crate::physics::table::{Cushion, Nose, Table};
 
@@ -91,6 +92,18 @@ impl CushionLaw {
             Self::Mathavan2010(Mathavan2010::default()),
             Self::Stronge2018(Stronge2018::default()),
         ]
+    }
+
+    /// Where the law comes from.
+    #[must_use]
+    pub fn source(&self) -> Source {
+        match self {
+            Self::Mirror(_) => mirror::SOURCE,
+            Self::Han2005(_) => han_2005::SOURCE,
+            Self::Impulse(_) => impulse::SOURCE,
+            Self::Mathavan2010(_) => mathavan_2010::SOURCE,
+            Self::Stronge2018(_) => stronge_2018::SOURCE,
+        }
     }
 
     /// The rebound of a ball from a cushion that it touches where it is. One on the slate that has gone beyond the nose, as a

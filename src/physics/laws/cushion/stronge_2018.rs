@@ -19,8 +19,16 @@ use serde::{Deserialize, Serialize};
 use crate::physics::ball::{Ball, State};
 use crate::physics::laws::cushion::CushionContact;
 use crate::physics::laws::restitution::Restitution;
+use crate::physics::laws::source::Source;
 use crate::physics::laws::{Check, Parameter};
 use crate::physics::table::Cushion;
+
+/// Where the law comes from.
+pub(super) const SOURCE: Source = Source {
+    paper: "Stronge, Impact Mechanics, 2nd ed. (2018), section 5.4",
+    formula: "springs along and across the normal, ωₜ/ωₙ given: stick, slip, or both in turn",
+    leaves_out: "the cloth under the ball",
+};
 
 /// βₜ of a homogeneous sphere.
 const BETA: f64 = 3.5;

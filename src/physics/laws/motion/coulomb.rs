@@ -15,7 +15,15 @@ use serde::{Deserialize, Serialize};
 
 use crate::physics::ball::{Ball, Motion, State};
 use crate::physics::laws::motion::Piece;
+use crate::physics::laws::source::Source;
 use crate::physics::laws::{Check, Parameter};
+
+/// Where the law comes from.
+pub(super) const SOURCE: Source = Source {
+    paper: "Alciatore, TP A.4 and TP B.7; Leckie & Greenspan (2006), section 3",
+    formula: "sliding −μₛ g û for 2|u|/(7 μₛ g), rolling −μᵣ g v̂, spin falls by α",
+    leaves_out: "nap, drag of the air, rolling resistance that depends on speed",
+};
 
 /// The friction of a cloth.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]

@@ -2,6 +2,14 @@
 
 use crate::physics::ball::{Motion, State};
 use crate::physics::laws::motion::Piece;
+use crate::physics::laws::source::Source;
+
+/// Where the law comes from.
+pub(super) const SOURCE: Source = Source {
+    paper: "Newton's first law",
+    formula: "a = 0",
+    leaves_out: "cloth, gravity, flight",
+};
 
 pub(super) fn piece(state: &State) -> Piece {
     Piece::uniform(*state)

@@ -12,7 +12,15 @@ use serde::{Deserialize, Serialize};
 
 use crate::physics::ball::State;
 use crate::physics::laws::motion::{Piece, frictionless};
+use crate::physics::laws::source::Source;
 use crate::physics::laws::{Check, Parameter};
+
+/// Where the law comes from.
+pub(super) const SOURCE: Source = Source {
+    paper: "Galilei, Discorsi, third day",
+    formula: "a = g sin θ along the slope",
+    leaves_out: "cloth, flight",
+};
 
 /// How far a table without cloth is tilted: the part of gravity along the slate. One degree of slope is 0.171 m/s².
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]

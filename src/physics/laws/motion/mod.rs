@@ -16,7 +16,8 @@ use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 use crate::physics::ball::{Ball, State};
-use crate::physics::laws::coursework::Coursework;
+use crate::physics::laws::coursework::{self, Coursework};
+use crate::physics::laws::source::Source;
 use crate::physics::laws::{Check, Parameter};
 
 /// How a ball moves when nothing but the table acts on it.
@@ -42,6 +43,17 @@ impl MotionLaw {
             Self::Coulomb(Cloth::default()),
             Self::Coursework(Coursework::default()),
         ]
+    }
+
+    /// Where the law comes from.
+    #[must_use]
+    pub fn source(&self) -> Source {
+        match self {
+            Self::Frictionless => frictionless::SOURCE,
+            Self::Inclined(_) => incline::SOURCE,
+            Self::Coulomb(_) => coulomb::SOURCE,
+            Self::Coursework(_) => coursework::SOURCE,
+        }
     }
 
     /// Whether the law has a closed form, so that the exact solver can use it.

@@ -7,6 +7,7 @@ pub use rim::Rim;
 use serde::{Deserialize, Serialize};
 
 use crate::physics::ball::{Motion, State};
+use crate::physics::laws::source::Source;
 use crate::physics::laws::{Check, Parameter};
 use crate::physics::table::Pocket;
 
@@ -26,6 +27,19 @@ impl PocketLaw {
     #[must_use]
     pub fn all() -> Vec<Self> {
         vec![Self::Capture, Self::Rim(Rim::default())]
+    }
+
+    /// Where the law comes from.
+    #[must_use]
+    pub fn source(&self) -> Source {
+        match self {
+            Self::Capture => Source {
+                paper: "Alciatore, TP 3.5 and 3.6, for a sharp edge",
+                formula: "gone when the centre passes the edge",
+                leaves_out: "edge, wall, liner, and whatever comes back",
+            },
+            Self::Rim(_) => rim::SOURCE,
+        }
     }
 
     /// The state of a captured ball: at rest at the bottom of the pocket.

@@ -21,8 +21,16 @@ use serde::{Deserialize, Serialize};
 
 use crate::physics::ball::{Ball, Motion, State};
 use crate::physics::laws::motion::Piece;
+use crate::physics::laws::source::Source;
 use crate::physics::laws::{Check, Parameter};
 use crate::physics::table::Pocket;
+
+/// Where the law comes from.
+pub(super) const SOURCE: Source = Source {
+    paper: "energy of a sphere that rolls over an edge; no measurement is known",
+    formula: "ω² = ω₀² + (k g/ℓ)(cos φ₀ − cos φ), then a free fall between edge, wall and liner",
+    leaves_out: "what the run along the edge adds to the fall",
+};
 
 /// Largest turn about the edge in one piece, rad.
 const TURN: f64 = 0.12;

@@ -4,6 +4,7 @@ use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 use crate::physics::ball::{Ball, Motion, State};
+use crate::physics::laws::source::Source;
 use crate::physics::laws::{Check, Parameter};
 
 /// Least speed in m/s at which a ball leaves the rim or the wall of a pocket.
@@ -60,6 +61,28 @@ impl SlateLaw {
             Self::Rubbed { friction: 0.2 },
             Self::Bouncing(Bouncing::default()),
         ]
+    }
+
+    /// Where the law comes from.
+    #[must_use]
+    pub fn source(&self) -> Source {
+        match self {
+            Self::Held => Source {
+                paper: "a choice, not a law of nature",
+                formula: "v·ŷ = 0 after every blow",
+                leaves_out: "bounces, and the friction of the blow",
+            },
+            Self::Rubbed { .. } => Source {
+                paper: "Alciatore, TP B.10",
+                formula: "J = min(μ Jₙ, (2/7) m |u|) against the slip u, v·ŷ = 0",
+                leaves_out: "bounces",
+            },
+            Self::Bouncing(_) => Source {
+                paper: "Alciatore, TP B.10; restitution from his physical properties page",
+                formula: "Jₙ = m (1 + e) v, across it as Rubbed",
+                leaves_out: "a slate or a cloth that yields",
+            },
+        }
     }
 
     /// Coefficient of restitution.

@@ -3,7 +3,8 @@
 use crate::physics::laws::ball_ball::{BallBallLaw, Friction};
 use crate::physics::record::Record;
 use crate::report::judge::Row;
-use crate::report::judge::stand::{Stand, Stopped, cut_line, play, rough, smooth, turn};
+use crate::report::judge::stand::{Stand, cut_line, rough, smooth, turn};
+use crate::sim::play::{Stopped, play};
 use glam::DVec3;
 
 const THIRTY: &str = "closed form (Alciatore, TP B.13)";

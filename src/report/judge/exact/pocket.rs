@@ -11,7 +11,8 @@ use crate::physics::record::EventKind;
 use crate::physics::scene::Scene;
 use crate::physics::table::{Arc, Cushion, Line, Nose, Pocket, Table};
 use crate::report::judge::Row;
-use crate::report::judge::stand::{Stand, Stopped, cut_line, play, smooth, turn};
+use crate::report::judge::stand::{Stand, cut_line, smooth, turn};
+use crate::sim::play::{Stopped, play};
 
 const INCH: f64 = 0.0254;
 const LAW: &str = "exact solver, Capture";

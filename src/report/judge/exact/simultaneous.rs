@@ -6,7 +6,8 @@ use crate::physics::cue::Shot;
 use crate::physics::laws::ball_ball::BallBallLaw;
 use crate::physics::scene::PlannedShot;
 use crate::report::judge::Row;
-use crate::report::judge::stand::{Stand, Stopped, play, smooth};
+use crate::report::judge::stand::{Stand, smooth};
+use crate::sim::play::{Stopped, play};
 
 pub(super) fn rows() -> Result<Vec<Row>, Stopped> {
     let mut rows = Vec::new();

@@ -4,7 +4,8 @@ use crate::physics::ball::Motion;
 use crate::physics::laws::slate::{Bouncing, SlateLaw};
 use crate::report::judge::Row;
 use crate::report::judge::exact::slide::begins;
-use crate::report::judge::stand::{Stand, Stopped, play, smooth};
+use crate::report::judge::stand::{Stand, smooth};
+use crate::sim::play::{Stopped, play};
 
 const SOURCE: &str = "closed form, geometric series";
 

@@ -5,8 +5,10 @@ use glam::DVec3;
 use crate::physics::ball::{Motion, State};
 use crate::physics::record::Record;
 use crate::physics::scene::{Solver, Stepped};
-use crate::report::judge::stand::{Stand, play, smooth};
-use crate::report::judge::{Row, Stopped};
+use crate::report::judge::Row;
+use crate::report::judge::stand::{Stand, smooth};
+use crate::sim::play::Stopped;
+use crate::sim::play::play;
 
 const SOURCE: &str = "closed form (Alciatore, TP A.4, TP B.7)";
 

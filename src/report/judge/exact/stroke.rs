@@ -9,7 +9,8 @@ use crate::physics::laws::slate::SlateLaw;
 use crate::physics::scene::PlannedShot;
 use crate::report::judge::Row;
 use crate::report::judge::exact::slide::begins;
-use crate::report::judge::stand::{Stand, Stopped, name_of, play, smooth};
+use crate::report::judge::stand::{Stand, name_of, smooth};
+use crate::sim::play::{Stopped, play};
 
 const BALL: Ball = Ball::POOL;
 const LAW: &str = "strike";

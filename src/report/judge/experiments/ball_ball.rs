@@ -6,8 +6,9 @@ use crate::report::judge::exact::{SPEEDS, shot};
 use crate::report::judge::measurements::{
     DERBY_FULLER_1999, DOMENECH_2023, DOMENECH_SPEED, MATHAVAN_2009,
 };
-use crate::report::judge::stand::{Stand, Stopped, ball_ball_laws};
+use crate::report::judge::stand::{Stand, ball_ball_laws};
 use crate::report::judge::{Measure, Row};
+use crate::sim::play::Stopped;
 
 /// Measured and computed settled speeds of E2, the restitution of the balls as measured there.
 pub(in crate::report::judge) fn oblique_speeds(law: &BallBallLaw) -> Vec<(f64, f64)> {
@@ -165,7 +166,7 @@ pub(super) fn thumb() -> Result<Vec<Row>, Stopped> {
         let mut alone = stand.room(law);
         alone.place("cue", stand.ball, 0.0, 0.0);
         alone.balls[0].state = stand.stunned(2.0);
-        let whole = crate::report::judge::stand::play(&alone)?.end[0].position.x;
+        let whole = crate::sim::play::play(&alone)?.end[0].position.x;
         let paths = [from(0) / whole, from(1) / whole];
         for (i, ball) in ["cue ball", "object ball"].into_iter().enumerate() {
             let source =

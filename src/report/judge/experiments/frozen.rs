@@ -5,8 +5,9 @@ use crate::physics::laws::ball_ball::BallBallLaw;
 use crate::physics::scene::PlannedShot;
 use crate::report::judge::exact::frozen_pair;
 use crate::report::judge::measurements::FROZEN_PAIR;
-use crate::report::judge::stand::{Stand, Stopped, ball_ball_laws, play};
+use crate::report::judge::stand::{Stand, ball_ball_laws};
 use crate::report::judge::{Measure, Row};
+use crate::sim::play::{Stopped, play};
 
 /// Measured and computed angles of E7 in degrees.
 pub(in crate::report::judge) fn frozen_angles(

@@ -3,7 +3,8 @@
 use glam::DVec3;
 
 use crate::report::judge::hard::{By, Claim, Rows, put, smooth, worst};
-use crate::report::judge::stand::{Stand, Stopped, room};
+use crate::report::judge::stand::{Stand, room};
+use crate::sim::play::Stopped;
 
 /// Speeds of five balls in a row that a sixth of their kind, the first of them, hits at 1 m/s with e = 0.95: ten pair hits.
 const LOSSY: [f64; 5] = [0.02326, 0.02380, 0.02435, 0.02491, 0.90369];

@@ -8,7 +8,8 @@ use crate::physics::record::EventKind;
 use crate::physics::scene::Scene;
 use crate::physics::table::Preset;
 use crate::report::judge::hard::{By, Claim, Rows, put, smooth, worst};
-use crate::report::judge::stand::{Stand, Stopped, name_of, room};
+use crate::report::judge::stand::{Stand, name_of, room};
+use crate::sim::play::Stopped;
 
 pub(super) fn rows() -> Rows {
     let mut rows = Vec::new();

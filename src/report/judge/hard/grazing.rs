@@ -7,7 +7,8 @@ use crate::physics::laws::Laws;
 use crate::physics::record::{EventKind, Record};
 use crate::physics::scene::{Scene, Solver, Stepped};
 use crate::report::judge::hard::{By, Claim, Rows, put, smooth, worst};
-use crate::report::judge::stand::{Stand, Stopped, room, smooth as balls};
+use crate::report::judge::stand::{Stand, room, smooth as balls};
+use crate::sim::play::Stopped;
 
 /// A ball along x that passes another `depth` nearer than touching.
 fn pass(laws: Laws, depth: f64) -> Scene {
@@ -103,7 +104,7 @@ pub(super) fn fast() -> Rows {
                         ..Stepped::default()
                     });
                 }
-                let record = crate::report::judge::stand::play(&scene)?;
+                let record = crate::sim::play::play(&scene)?;
                 shots += 1;
                 missed += usize::from(hits(&record) != 1);
             }

@@ -29,8 +29,9 @@ use crate::physics::laws::motion::MotionLaw;
 use crate::physics::record::Record;
 use crate::physics::scene::{Scene, Solver, Stepped};
 use crate::report::audit::{Audit, Worst};
-use crate::report::judge::stand::{self, Stand, Stopped, play};
+use crate::report::judge::stand::{self, Stand};
 use crate::report::judge::table::columns;
+use crate::sim::play::{Stopped, play};
 
 /// One row: what must happen and what happened.
 #[derive(Clone, Debug, PartialEq, Serialize)]

@@ -7,7 +7,8 @@ use crate::physics::record::{EventKind, Record};
 use crate::physics::scene::{Rack, Scene};
 use crate::physics::table::Preset;
 use crate::report::judge::hard::{By, Claim, Hard, Rows, put, smooth, worst};
-use crate::report::judge::stand::{Stand, Stopped, room};
+use crate::report::judge::stand::{Stand, room};
+use crate::sim::play::Stopped;
 
 pub(super) fn equal_motions() -> Rows {
     let mut rows = Vec::new();

@@ -11,7 +11,8 @@ use crate::physics::record::{EndReason, EventKind};
 use crate::physics::scene::{PlannedShot, Scene};
 use crate::physics::table::Preset;
 use crate::report::judge::hard::{By, Claim, Hard, Rows, put};
-use crate::report::judge::stand::{Stand, Stopped, name_of, room};
+use crate::report::judge::stand::{Stand, name_of, room};
+use crate::sim::play::Stopped;
 
 /// Most events of such a contact.
 const EVENTS: usize = 5000;

@@ -10,7 +10,8 @@ use crate::physics::laws::ball_ball::{BallBallLaw, Frictional};
 use crate::physics::scene::{PlannedShot, Rack, Scene, Solver};
 use crate::physics::table::Preset;
 use crate::report::judge::hard::{By, Claim, Hard, Rows, put, smooth, worst};
-use crate::report::judge::stand::{Stand, Stopped, play, room};
+use crate::report::judge::stand::{Stand, room};
+use crate::sim::play::{Stopped, play};
 use crate::sim::stepping;
 
 /// Breaks of H8 per rack.

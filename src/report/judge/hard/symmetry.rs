@@ -10,7 +10,8 @@ use crate::physics::record::Record;
 use crate::physics::scene::Scene;
 use crate::report::judge::exact::{random_balls, random_cushions};
 use crate::report::judge::hard::{By, Claim, Hard, Rows, put, smooth, worst};
-use crate::report::judge::stand::{Stand, Stopped, room, rough};
+use crate::report::judge::stand::{Stand, room, rough};
+use crate::sim::play::Stopped;
 
 /// The rows of the exact judges whose names begin like this.
 fn of_laws(case: &'static str) -> impl Iterator<Item = Hard> {

@@ -10,7 +10,8 @@ use crate::physics::laws::Laws;
 use crate::physics::scene::{PlannedShot, Rack, Scene, Solver, Stepped};
 use crate::physics::table::Preset;
 use crate::report::judge::hard::{Claim, Hard, Rows};
-use crate::report::judge::stand::{Stand, Stopped, play};
+use crate::report::judge::stand::Stand;
+use crate::sim::play::{Stopped, play};
 
 /// Ticks a second.
 const LADDER: [u32; 5] = [60, 120, 240, 480, 960];

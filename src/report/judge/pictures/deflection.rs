@@ -7,7 +7,8 @@ use crate::report::judge::coursework::when_it_should_roll;
 use crate::report::judge::exact::frozen_pair;
 use crate::report::judge::measurements::FROZEN_PAIR;
 use crate::report::judge::pictures::{COURSEWORK, MEASURED, curve_ink};
-use crate::report::judge::stand::{Stand, Stopped, cut_line, rough, smooth, turn};
+use crate::report::judge::stand::{Stand, cut_line, rough, smooth, turn};
+use crate::sim::play::Stopped;
 use glam::DVec3;
 
 /// Spin of the cue ball at the hit as a multiple of that of rolling.

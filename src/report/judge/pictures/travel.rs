@@ -6,7 +6,8 @@ use crate::physics::laws::ball_ball::Friction;
 use crate::physics::scene::{PlannedShot, Scene, Solver, Stepped};
 use crate::report::chart::{Axis, Chart, Ink, Panel, Series};
 use crate::report::judge::pictures::curve_ink;
-use crate::report::judge::stand::{Stand, Stopped, play, room, rough};
+use crate::report::judge::stand::{Stand, room, rough};
+use crate::sim::play::{Stopped, play};
 
 /// The object ball lies this far in front of the cue ball, gap between them in m.
 const APART: f64 = 0.6;
