@@ -4,49 +4,20 @@
 
 use std::time::Instant;
 
+use glam::DVec3;
 use masse::physics::ball::Ball;
-use masse::physics::laws::Laws;
 use masse::physics::scene::{Scene, Solver, Stepped};
-use masse::physics::table::Preset;
+use masse::report::speed_and_error::gas;
 use masse::sim::stepped::crowd::{Census, Crowd, Mirror, Pass};
 use masse::sim::stepping;
-use rand::{RngExt, SeedableRng};
 
-fn scene(count: usize, rate: f64, kind: &str) -> Scene {
-    let cloth = matches!(kind, "cloth" | "rest");
-    let ball = Ball {
-        spins: cloth,
-        ..Ball::POOL
-    };
-    let side = (count as f64 * std::f64::consts::PI / 0.4).sqrt() * ball.radius;
-    let table = Preset::Box {
-        length: side,
-        width: side,
-    }
-    .table();
-    let mut scene = Scene::new(
-        table,
-        if cloth {
-            Laws::default()
-        } else {
-            Laws::ideal()
-        },
-    );
-    let columns = (count as f64).sqrt().ceil();
-    let pitch = side / columns;
-    let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(1);
-    let mut signed = || 2.0 * rng.random::<f64>() - 1.0;
-    let free = 0.5 * pitch - ball.radius;
-    for i in 0..count {
-        let (column, row) = (i as f64 % columns, (i as f64 / columns).floor());
-        let x = (column + 0.5) * pitch - 0.5 * side + 0.9 * free * signed();
-        let z = (row + 0.5) * pitch - 0.5 * side + 0.9 * free * signed();
-        let index = scene.place(&i.to_string(), ball, x, z);
-        // Sums of twelve: close to Maxwell from the start.
-        let mut normal = || 0.5 * (0..12).map(|_| signed()).sum::<f64>() * (0.5f64).sqrt();
-        let velocity = glam::DVec3::new(normal(), 0.0, normal());
-        if kind != "rest" || i == 0 {
-            scene.balls[index].state.velocity = velocity;
+/// The gas of the report as a crowd. On cloth the balls are let go without spin, and of those at rest one moves.
+fn scene(count: u32, rate: f64, kind: &str) -> Scene {
+    let mut scene = gas(count, matches!(kind, "cloth" | "rest"), 0);
+    for (i, ball) in scene.balls.iter_mut().enumerate() {
+        ball.state.angular_velocity = DVec3::ZERO;
+        if kind == "rest" && i > 0 {
+            ball.state.velocity = DVec3::ZERO;
         }
     }
     scene.solver = Solver::Stepped(Stepped {
@@ -75,7 +46,7 @@ fn cpu() -> f64 {
 fn main() {
     let args: Vec<String> = std::env::args().collect();
     let get = |i: usize, default: &str| args.get(i).cloned().unwrap_or(default.to_owned());
-    let count: usize = get(1, "5750").parse().expect("a number of balls");
+    let count: u32 = get(1, "5750").parse().expect("a number of balls");
     let ticks: u32 = get(2, "200").parse().expect("a number of ticks");
     let rate: f64 = get(3, "120").parse().expect("ticks a second");
     let scene = scene(count, rate, &get(4, "gas"));
@@ -108,7 +79,7 @@ fn main() {
     let busy = cpu() - busy;
     times.sort_by(f64::total_cmp);
     let census = app.world().resource::<Census>();
-    let per = 1e9 / count as f64;
+    let per = 1e9 / f64::from(count);
     let middle = times[times.len() / 2];
     println!(
         "{count} balls: median {:.3} ms a tick, {:.1} ns a ball and tick, {:.1} ns of CPU",
@@ -126,7 +97,7 @@ fn main() {
     println!();
     println!(
         "collisions {:.2} per ball and second, energy {:.3e}, overlap {:.2e} diameters, parts {:.2}, late {:.2} of a thousand contacts, saturated {}, speed {:.2}",
-        2.0 * (census.contacts_in_all - first.contacts_in_all) as f64 / count as f64 / time,
+        2.0 * (census.contacts_in_all - first.contacts_in_all) as f64 / f64::from(count) / time,
         census.energy / first.energy - 1.0,
         overlap / (2.0 * Ball::POOL.radius),
         f64::from(parts) / f64::from(ticks),

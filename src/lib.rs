@@ -1,5 +1,8 @@
 //! Massé: a billiards game and simulator.
 //!
+//! To simulate a shot, sweep a number over ten thousand of them, or put balls into an app of your own:
+//! `docs/use-as-a-library.md`. The shortest way in is [`sim::play::play`], the next [`scenarios::sweep`].
+//!
 //! Rooms, one above the other; an import only ever points down:
 //!
 //! | room | what it holds |
@@ -12,6 +15,11 @@
 //! | [`game`] | what the player aims, practice; no pixels |
 //! | `window` | what a person sees and touches; feature `window` |
 //! | [`cli`] | the command line, on top of all |
+
+/// The guide, whose blocks of code are run as tests.
+#[cfg(doctest)]
+#[doc = include_str!("../docs/use-as-a-library.md")]
+mod guide {}
 
 pub mod cli;
 pub mod game;

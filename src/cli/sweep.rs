@@ -30,7 +30,7 @@ use crate::scenarios::sweep::{Axis, AxisError, Sweep};
     height, a way at any moment - is an expectation in the scene file.\n\n\
     EXAMPLES\n  \
     masse sweep stun-shot --over speed=0.5:6:100 --over height=-0.4:0.4:100 --out stun.csv\n  \
-    masse sweep butterfly --over heading=49.83+-0.1 --over speed=3+-0.05 --shots 10000 --out butterfly.csv\n  \
+    masse sweep butterfly --over heading=0+-0.5 --over speed=7.94+-0.2 --shots 10000 --out butterfly.csv\n  \
     masse sweep throw --over laws.ball_ball.restitution=0.9:1:11 --solver stepped --tick 0.002")]
 pub(super) struct SweepOptions {
     #[command(flatten)]

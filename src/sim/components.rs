@@ -6,8 +6,10 @@ use glam::DVec3;
 use crate::physics::ball::{Ball, Motion, State};
 use crate::physics::scene::SceneBall;
 
-/// Position of the centre in m.
+/// Position of the centre in m; a ball on the slate has its radius for y. An entity with a position is a ball: what it
+/// lacks it gets, see [`joining`](crate::sim::joining).
 #[derive(Component, Clone, Copy, Debug, Default, PartialEq)]
+#[require(Velocity, Mass, Radius, MotionKind)]
 pub struct Position(pub DVec3);
 
 /// Velocity of the centre in m/s.
@@ -22,9 +24,23 @@ pub struct AngularVelocity(pub DVec3);
 #[derive(Component, Clone, Copy, Debug, PartialEq)]
 pub struct Mass(pub f64);
 
+impl Default for Mass {
+    /// A pool ball's.
+    fn default() -> Self {
+        Self(Ball::POOL.mass)
+    }
+}
+
 /// Radius in m.
 #[derive(Component, Clone, Copy, Debug, PartialEq)]
 pub struct Radius(pub f64);
+
+impl Default for Radius {
+    /// A pool ball's.
+    fn default() -> Self {
+        Self(Ball::POOL.radius)
+    }
+}
 
 /// The kind of motion the ball is in.
 #[derive(Component, Clone, Copy, Debug, Default, PartialEq, Eq)]

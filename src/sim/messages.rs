@@ -10,6 +10,11 @@ use crate::physics::scene::Scene;
 #[derive(Message, Clone, Debug)]
 pub struct LoadScene(pub Scene);
 
+/// Balls have been moved or pushed from outside: the shot begins anew with all components as they are. A ball that is spawned
+/// or despawned does the same without being asked.
+#[derive(Message, Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Restart;
+
 /// Strike this ball. Ignored while balls move.
 #[derive(Message, Clone, Copy, Debug, PartialEq)]
 pub struct Strike {
@@ -62,6 +67,7 @@ pub struct Failed {
 
 pub(super) fn plugin(app: &mut App) {
     app.add_message::<LoadScene>()
+        .add_message::<Restart>()
         .add_message::<Strike>()
         .add_message::<Struck>()
         .add_message::<Touched>()

@@ -113,7 +113,7 @@ pub(super) fn plugin(app: &mut App) {
 }
 
 /// Keeps the table as it is before a stroke.
-fn remember(
+pub(super) fn remember(
     mut recorder: ResMut<Recorder>,
     playfield: Res<Playfield>,
     balls: BallQuery,

@@ -32,6 +32,51 @@ pub fn panel_id(context: &egui::Context, name: &str) -> egui::Id {
     egui::Id::new((name, size.x as i32, size.y as i32))
 }
 
+/// A panel in the upper right corner, and the button that brings it back once it is closed.
+pub struct SidePanel {
+    /// What it is remembered by.
+    pub name: &'static str,
+    /// Its heading, and what the button says.
+    pub title: String,
+    /// Width in points.
+    pub width: f32,
+    /// Points below it that are not its own.
+    pub below: f32,
+}
+
+impl SidePanel {
+    /// Lays out the panel, or the button. Returns whether it is open from now on.
+    pub fn show(
+        self,
+        context: &egui::Context,
+        open: bool,
+        contents: impl FnOnce(&mut egui::Ui),
+    ) -> bool {
+        let margin = egui::vec2(-8.0, 8.0);
+        if !open {
+            return egui::Area::new(egui::Id::new((self.name, "panel button")))
+                .anchor(egui::Align2::RIGHT_TOP, margin)
+                .show(context, |ui| ui.button(self.title).clicked())
+                .inner;
+        }
+        let mut stays = true;
+        let room = context.content_rect();
+        egui::Window::new(self.title)
+            .id(panel_id(context, self.name))
+            .open(&mut stays)
+            .pivot(egui::Align2::RIGHT_TOP)
+            .default_pos(room.right_top() + margin)
+            .auto_sized()
+            .show(context, |ui| {
+                ui.set_width(self.width);
+                egui::ScrollArea::vertical()
+                    .max_height(room.height() - self.below)
+                    .show(ui, contents);
+            });
+        stays
+    }
+}
+
 /// The name of a page.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct PageId(pub &'static str);

@@ -246,3 +246,24 @@ fn every_example_is_run_by_what_a_pull_request_must_pass() {
     }
     assert!(found >= 5);
 }
+
+/// The rows of the judge that the README shows are rows that the judge prints, figure by figure.
+#[test]
+fn the_readme_shows_what_the_judge_prints() {
+    let readme = std::fs::read_to_string(root().join("README.md")).expect("a text");
+    let packed = |line: &str| line.split_whitespace().collect::<Vec<_>>().join(" ");
+    let printed = masse::report::judge::judge(1.0, &[]).text();
+    let printed: Vec<String> = printed.lines().map(packed).collect();
+    let mut rows = 0;
+    for block in blocks(&readme, "text") {
+        let is_row = |line: &&str| line.ends_with("pass") || line.ends_with("MISS");
+        for row in block.lines().filter(is_row) {
+            assert!(
+                printed.contains(&packed(row)),
+                "the judge does not print: {row}"
+            );
+            rows += 1;
+        }
+    }
+    assert!(rows >= 4, "{rows} rows");
+}

@@ -2,6 +2,7 @@
 //! the map of the rooms, and the order of the systems.
 
 mod architecture;
+mod catalogue;
 mod cli;
 mod closeness;
 #[cfg(feature = "window")]
@@ -45,6 +46,7 @@ mod schedules;
 mod settings;
 #[cfg(feature = "window")]
 mod slow_motion;
+mod spawned_balls;
 mod speed_report;
 mod studio;
 mod turns;

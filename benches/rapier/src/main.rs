@@ -1,4 +1,4 @@
-//! Rapier 2D on the gas of `examples/time_crowd.rs`: the same box, radii, places, speeds and tick. Prints the time of a
+//! Rapier 2D on the gas of `src/report/speed_and_error/many.rs`: the same box, radii, places, speeds and tick. Prints the time of a
 //! tick beside what is left of the energy and how deep balls overlap.
 //!
 //! Arguments: balls, ticks, ticks a second, threads.
@@ -33,16 +33,22 @@ fn world(count: usize, rate: f64) -> (PhysicsWorld, Vec<RigidBodyHandle>) {
     }
     let columns = (count as f64).sqrt().ceil();
     let pitch = side / columns;
-    let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(1);
-    let mut signed = || 2.0 * rng.random::<f64>() - 1.0;
-    let free = 0.5 * pitch - RADIUS;
-    let mut balls = Vec::with_capacity(count);
+    let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(5750);
+    let mut signed = || rng.random_range(-1.0..1.0);
+    let free = 0.9 * (0.5 * pitch - RADIUS);
+    let mut drawn = Vec::with_capacity(count);
     for i in 0..count {
         let (column, row) = (i as f64 % columns, (i as f64 / columns).floor());
-        let x = (column + 0.5) * pitch - 0.5 * side + 0.9 * free * signed();
-        let z = (row + 0.5) * pitch - 0.5 * side + 0.9 * free * signed();
-        let mut normal = || 0.5 * (0..12).map(|_| signed()).sum::<f64>() * 0.5f64.sqrt();
-        let velocity = Vector::new(normal() as f32, normal() as f32);
+        let x = (column + 0.5) * pitch - 0.5 * side + free * signed();
+        let z = (row + 0.5) * pitch - 0.5 * side + free * signed();
+        let mut normal = || (0..12).map(|_| signed()).sum::<f64>() * 0.5 * 0.5_f64.sqrt();
+        drawn.push(([x, z], [normal(), normal()]));
+    }
+    let squares: f64 = drawn.iter().map(|(_, v)| v[0] * v[0] + v[1] * v[1]).sum();
+    let scale = (count as f64 / squares).sqrt();
+    let mut balls = Vec::with_capacity(count);
+    for ([x, z], velocity) in drawn {
+        let velocity = Vector::new((scale * velocity[0]) as f32, (scale * velocity[1]) as f32);
         let (ball, _) = world.insert(
             RigidBodyBuilder::dynamic()
                 .translation(Vector::new(x as f32, z as f32))

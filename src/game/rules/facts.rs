@@ -323,7 +323,7 @@ impl<'a> Facts<'a> {
             let until = path
                 .get(index + 1)
                 .map_or(self.record.end_time, |next| next.time);
-            least = least.min(least_on(&piece.piece, (until - piece.time).max(0.0)));
+            least = least.min(reach_on(&piece.piece, (until - piece.time).max(0.0)).0);
         }
         least
     }
@@ -337,7 +337,7 @@ impl<'a> Facts<'a> {
             let end = path
                 .get(index + 1)
                 .map_or(until, |next| next.time.min(until));
-            piece.time <= until && greatest_on(&piece.piece, (end - piece.time).max(0.0)) > line
+            piece.time <= until && reach_on(&piece.piece, (end - piece.time).max(0.0)).1 > line
         })
     }
 
@@ -350,30 +350,16 @@ impl<'a> Facts<'a> {
     }
 }
 
-/// Least x of a piece within its first seconds.
-fn least_on(piece: &Piece, duration: f64) -> f64 {
+/// Least and greatest x of a piece within its first seconds.
+fn reach_on(piece: &Piece, duration: f64) -> (f64, f64) {
     let (velocity, acceleration) = (piece.start.velocity.x, piece.acceleration.x);
     let turn = if acceleration == 0.0 {
         0.0
     } else {
         (-velocity / acceleration).clamp(0.0, duration)
     };
-    [0.0, turn, duration]
-        .into_iter()
-        .map(|time| piece.position(time).x)
-        .fold(f64::INFINITY, f64::min)
-}
-
-/// Greatest x of a piece within its first seconds.
-fn greatest_on(piece: &Piece, duration: f64) -> f64 {
-    let (velocity, acceleration) = (piece.start.velocity.x, piece.acceleration.x);
-    let turn = if acceleration == 0.0 {
-        0.0
-    } else {
-        (-velocity / acceleration).clamp(0.0, duration)
-    };
-    [0.0, turn, duration]
-        .into_iter()
-        .map(|time| piece.position(time).x)
-        .fold(f64::NEG_INFINITY, f64::max)
+    let places = [0.0, turn, duration].map(|time| piece.position(time).x);
+    let least = places.into_iter().fold(f64::INFINITY, f64::min);
+    let greatest = places.into_iter().fold(f64::NEG_INFINITY, f64::max);
+    (least, greatest)
 }

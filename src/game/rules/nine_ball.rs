@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use crate::game::rules::area::Area;
 use crate::game::rules::call::Call;
 use crate::game::rules::facts::Facts;
-use crate::game::rules::rotation::{self, Phase};
+use crate::game::rules::rotation::{self, Clean, Phase};
 use crate::game::rules::ruling::Ruling;
 use crate::game::rules::standing::Standing;
 use crate::game::rules::targets::{On, numbered};
@@ -127,31 +127,12 @@ impl RuleSet for NineBall {
     }
 
     fn judge(&mut self, standing: &mut Standing, facts: &Facts, call: &Call, ruling: &mut Ruling) {
-        let nine = facts.scene.ball_named("9");
-        let breaks = self.phase == Phase::Break;
-        let push = rotation::is_push(self.phase, call);
-        if breaks {
-            rotation::break_fouls(facts, ruling);
-        } else {
-            rotation::later_fouls(facts, push, ruling);
-        }
-        if !ruling.fouls.is_empty() {
-            self.phase = Phase::Later;
-            rotation::spot_if_gone(facts, nine, ruling);
-            rotation::after_foul(standing, facts, self.three_fouls, ruling);
-            return;
-        }
-        standing.count_foul(false);
-        if breaks {
-            self.after_break(standing, facts, ruling);
-            return;
-        }
-        self.phase = Phase::Later;
-        if push {
-            rotation::spot_if_gone(facts, nine, ruling);
-            rotation::offer_hand_back(standing);
-        } else {
-            Self::after_good(standing, facts, ruling);
+        let held = (facts.scene.ball_named("9"), self.three_fouls);
+        let clean = rotation::judge(&mut self.phase, held, standing, facts, call, ruling);
+        match clean {
+            Some(Clean::Break) => self.after_break(standing, facts, ruling),
+            Some(Clean::Later) => Self::after_good(standing, facts, ruling),
+            None => {}
         }
     }
 
@@ -162,8 +143,6 @@ impl RuleSet for NineBall {
         choice: Choice,
         _ruling: &mut Ruling,
     ) {
-        if choice == Choice::HandBack {
-            standing.turn = standing.last_player();
-        }
+        rotation::choose(standing, choice);
     }
 }

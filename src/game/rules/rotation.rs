@@ -32,8 +32,53 @@ pub(super) fn lowest(scene: &Scene) -> Vec<usize> {
     least.copied().into_iter().collect()
 }
 
+/// A stroke without a foul, for the rules of the game to go on with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Clean {
+    /// The break.
+    Break,
+    /// Any later one but a push out.
+    Later,
+}
+
+/// Judges what both games judge alike: fouls and push outs. `winning` is the ball that must come back if it falls then. None
+/// if that was all there is to say.
+pub(super) fn judge(
+    phase: &mut Phase,
+    (winning, three_fouls): (Option<usize>, bool),
+    standing: &mut Standing,
+    facts: &Facts,
+    call: &Call,
+    ruling: &mut Ruling,
+) -> Option<Clean> {
+    let breaks = *phase == Phase::Break;
+    let push = *phase == Phase::PushOut && *call == Call::PushOut;
+    if breaks {
+        break_fouls(facts, ruling);
+    } else {
+        later_fouls(facts, push, ruling);
+    }
+    if !ruling.fouls.is_empty() {
+        *phase = Phase::Later;
+        spot_if_gone(facts, winning, ruling);
+        after_foul(standing, facts, three_fouls, ruling);
+        return None;
+    }
+    standing.count_foul(false);
+    if breaks {
+        return Some(Clean::Break);
+    }
+    *phase = Phase::Later;
+    if push {
+        spot_if_gone(facts, winning, ruling);
+        offer_hand_back(standing);
+        return None;
+    }
+    Some(Clean::Later)
+}
+
 /// The fouls of a break: as of any stroke, but without a pot four balls must reach cushions.
-pub(super) fn break_fouls(facts: &Facts, ruling: &mut Ruling) {
+fn break_fouls(facts: &Facts, ruling: &mut Ruling) {
     ruling.fouls = pool::general(facts);
     let in_hand = Some(Area::behind_head_string(&facts.scene.table));
     let contact = pool::contact(facts, &lowest(facts.scene), in_hand);
@@ -55,18 +100,13 @@ pub(super) fn break_fouls(facts: &Facts, ruling: &mut Ruling) {
 }
 
 /// The fouls of a later stroke. A push out may miss, meet any ball, and leave the cushions alone.
-pub(super) fn later_fouls(facts: &Facts, push: bool, ruling: &mut Ruling) {
+fn later_fouls(facts: &Facts, push: bool, ruling: &mut Ruling) {
     ruling.fouls = pool::general(facts);
     if !push {
         let in_hand = ruling.in_hand;
         let contact = pool::contact(facts, &lowest(facts.scene), in_hand);
         ruling.fouls.extend(contact);
     }
-}
-
-/// Whether this stroke is a push out: called, and allowed now.
-pub(super) fn is_push(phase: Phase, call: &Call) -> bool {
-    phase == Phase::PushOut && *call == Call::PushOut
 }
 
 /// Puts this ball back if the stroke took it off the table.
@@ -78,12 +118,7 @@ pub(super) fn spot_if_gone(facts: &Facts, ball: Option<usize>, ruling: &mut Ruli
 }
 
 /// After a foul: ball in hand anywhere for the next player; three in a row lose.
-pub(super) fn after_foul(
-    standing: &mut Standing,
-    facts: &Facts,
-    three_fouls: bool,
-    ruling: &mut Ruling,
-) {
+fn after_foul(standing: &mut Standing, facts: &Facts, three_fouls: bool, ruling: &mut Ruling) {
     let player = standing.turn;
     let in_a_row = standing.count_foul(true);
     if three_fouls && in_a_row >= 3 {
@@ -101,6 +136,13 @@ pub(super) fn after_foul(
 pub(super) fn offer_hand_back(standing: &mut Standing) {
     standing.pass();
     standing.choices = vec![Choice::Accept, Choice::HandBack];
+}
+
+/// Takes the choice of who was offered the table.
+pub(super) fn choose(standing: &mut Standing, choice: Choice) {
+    if choice == Choice::HandBack {
+        standing.turn = standing.last_player();
+    }
 }
 
 /// Points of the optional rule for breaks: balls potted, and balls whose base reached the head string.

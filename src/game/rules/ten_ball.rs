@@ -8,7 +8,7 @@ use crate::game::rules::area::Area;
 use crate::game::rules::call::Call;
 use crate::game::rules::facts::Facts;
 use crate::game::rules::pool;
-use crate::game::rules::rotation::{self, Phase};
+use crate::game::rules::rotation::{self, Clean, Phase};
 use crate::game::rules::ruling::Ruling;
 use crate::game::rules::standing::Standing;
 use crate::game::rules::targets::{CallNeeded, On, numbered};
@@ -165,36 +165,20 @@ impl RuleSet for TenBall {
 
     fn judge(&mut self, standing: &mut Standing, facts: &Facts, call: &Call, ruling: &mut Ruling) {
         let ten = facts.scene.ball_named("10");
-        let breaks = self.phase == Phase::Break;
-        let push = rotation::is_push(self.phase, call);
-        if breaks {
-            rotation::break_fouls(facts, ruling);
-        } else {
-            rotation::later_fouls(facts, push, ruling);
-        }
-        if !ruling.fouls.is_empty() {
-            self.phase = Phase::Later;
-            rotation::spot_if_gone(facts, ten, ruling);
-            rotation::after_foul(standing, facts, self.three_fouls, ruling);
-            return;
-        }
-        standing.count_foul(false);
-        if breaks {
-            // Nothing is called on the break: whatever falls keeps the table, and the 10 comes back.
-            self.phase = Phase::PushOut;
-            rotation::spot_if_gone(facts, ten, ruling);
-            ruling.made = facts.object_potted().map(|potted| potted.ball).collect();
-            if ruling.made.is_empty() {
-                standing.pass();
+        let held = (ten, self.three_fouls);
+        let clean = rotation::judge(&mut self.phase, held, standing, facts, call, ruling);
+        match clean {
+            Some(Clean::Break) => {
+                // Nothing is called on the break: whatever falls keeps the table, and the 10 comes back.
+                self.phase = Phase::PushOut;
+                rotation::spot_if_gone(facts, ten, ruling);
+                ruling.made = facts.object_potted().map(|potted| potted.ball).collect();
+                if ruling.made.is_empty() {
+                    standing.pass();
+                }
             }
-            return;
-        }
-        self.phase = Phase::Later;
-        if push {
-            rotation::spot_if_gone(facts, ten, ruling);
-            rotation::offer_hand_back(standing);
-        } else {
-            self.after_good(standing, facts, call, ten, ruling);
+            Some(Clean::Later) => self.after_good(standing, facts, call, ten, ruling),
+            None => {}
         }
     }
 
@@ -205,8 +189,6 @@ impl RuleSet for TenBall {
         choice: Choice,
         _ruling: &mut Ruling,
     ) {
-        if choice == Choice::HandBack {
-            standing.turn = standing.last_player();
-        }
+        rotation::choose(standing, choice);
     }
 }

@@ -116,40 +116,7 @@ pub(super) fn ladder(effort: &Effort, library: &[Named]) -> Vec<Rung> {
         "Nine-ball break, a tenth of a millimetre between the balls of the rack",
         several(&loosened),
     ));
-    for named in library {
-        let mut scene = named.scene.clone();
-        match named.name.as_str() {
-            BOARD => {
-                let starts = (0..effort.starts as usize).map(|ball| many::alone(&scene, ball));
-                rungs.push(Rung::new(
-                    BOARD,
-                    "One ball runs down a Galton board",
-                    starts.collect(),
-                ));
-                continue;
-            }
-            DAM => {
-                rungs.push(Rung {
-                    crowded: true,
-                    // As for the gas.
-                    finest: 240,
-                    ..Rung::new(
-                        DAM,
-                        "Three thousand balls let go on a tilted table",
-                        vec![many::let_go(&scene, 0)],
-                    )
-                });
-                continue;
-            }
-            _ => {}
-        }
-        if matches!(scene.laws.motion, MotionLaw::Coursework(_)) {
-            // The same start on a real table: what the model should have said.
-            scene.laws = Laws::default();
-        }
-        scene.solver = Solver::Exact;
-        rungs.push(Rung::new(&named.name, &named.title, vec![scene]));
-    }
+    rungs.extend(library.iter().map(|named| of_library(named, effort)));
     let count = COURSEWORK_BALLS.min(effort.most_balls);
     let mut scene = gas(count, false, 0);
     scene.time_limit = if effort.quick { 0.2 } else { 0.5 };
@@ -164,6 +131,35 @@ pub(super) fn ladder(effort: &Effort, library: &[Named]) -> Vec<Rung> {
         )
     });
     rungs
+}
+
+/// What a built-in scene is measured with.
+fn of_library(named: &Named, effort: &Effort) -> Rung {
+    let mut scene = named.scene.clone();
+    match named.name.as_str() {
+        BOARD => {
+            let starts = (0..effort.starts as usize).map(|ball| many::alone(&scene, ball));
+            Rung::new(BOARD, "One ball runs down a Galton board", starts.collect())
+        }
+        DAM => Rung {
+            crowded: true,
+            // As for the gas.
+            finest: 240,
+            ..Rung::new(
+                DAM,
+                "Three thousand balls let go on a tilted table",
+                vec![many::let_go(&scene, 0)],
+            )
+        },
+        name => {
+            if matches!(scene.laws.motion, MotionLaw::Coursework(_)) {
+                // The same start on a real table: what the model should have said.
+                scene.laws = Laws::default();
+            }
+            scene.solver = Solver::Exact;
+            Rung::new(name, &named.title, vec![scene])
+        }
+    }
 }
 
 fn moving(scene: &mut Scene, ball: usize, velocity: DVec3, spin: DVec3) {

@@ -24,8 +24,10 @@ use crate::sim::stepping;
 /// Share of the floor that the balls of a gas cover.
 pub(super) const COVERED: f64 = 0.4;
 
-/// Balls of 1 m/s (root of the mean square) in all directions in a square box of which they cover [`COVERED`]; with cloth or without.
-pub(super) fn gas(count: u32, cloth: bool, seed: u64) -> Scene {
+/// Balls of 1 m/s (root of the mean square) in all directions in a square box of which they cover 0.4; smooth balls without
+/// cloth, or balls that roll on it. The same `seed` gives the same gas.
+#[must_use]
+pub fn gas(count: u32, cloth: bool, seed: u64) -> Scene {
     let ball = Ball {
         spins: cloth,
         ..Ball::POOL

@@ -29,7 +29,7 @@ pub use error::Errors;
 pub use fit::{Convergence, convergence, mean_and_spread, pareto};
 pub use horizon::{NUDGE, Truth, truth};
 pub use ladder::Rung;
-pub use many::enskog_rate;
+pub use many::{enskog_rate, gas};
 pub use measure::{Measured, Scene, names, run};
 pub use method::Method;
 pub use pictures::pictures;

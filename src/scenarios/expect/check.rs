@@ -2,17 +2,19 @@
 
 use crate::physics::laws::slate::SlateLaw;
 use crate::physics::scene::Scene;
+use crate::scenarios::expect::reading::Ends;
 use crate::scenarios::expect::{Contact, Expectation, Moment, Spot};
 use crate::scenarios::file::FieldError;
 
 /// What an expectation can be wrong about.
-struct Checker<'s> {
+pub(super) struct Checker<'s> {
     scene: &'s Scene,
     /// The expectation, such as `expect[2]`.
     parent: String,
 }
 
-type Checked = Result<(), FieldError>;
+/// What a check says.
+pub(super) type Checked = Result<(), FieldError>;
 
 /// Finds the first expectation that names what is not there, or that can never be tested.
 ///
@@ -24,7 +26,7 @@ pub(in crate::scenarios) fn check(scene: &Scene, expect: &[Expectation]) -> Chec
             scene,
             parent: format!("expect[{i}]"),
         };
-        checker.expectation(one)?;
+        one.kind().check(&checker)?;
     }
     let still = |ball: &crate::physics::scene::SceneBall| ball.state.motion.is_still();
     if !expect.is_empty() && scene.shot.is_none() && scene.balls.iter().all(still) {
@@ -46,7 +48,12 @@ pub(in crate::scenarios) fn check(scene: &Scene, expect: &[Expectation]) -> Chec
 }
 
 impl Checker<'_> {
-    fn refuse(&self, field: &str, value: impl ToString, problem: impl Into<String>) -> Checked {
+    pub(super) fn refuse(
+        &self,
+        field: &str,
+        value: impl ToString,
+        problem: impl Into<String>,
+    ) -> Checked {
         Err(FieldError::Untestable {
             field: format!("{}.{field}", self.parent),
             value: value.to_string(),
@@ -54,7 +61,7 @@ impl Checker<'_> {
         })
     }
 
-    fn ball(&self, field: &str, name: &str) -> Checked {
+    pub(super) fn ball(&self, field: &str, name: &str) -> Checked {
         match self.scene.ball_named(name) {
             Some(ball) if self.scene.balls[ball].state.motion.in_play() => Ok(()),
             Some(_) => self.refuse(field, format!("`{name}`"), "this ball is not in play"),
@@ -70,7 +77,7 @@ impl Checker<'_> {
         }
     }
 
-    fn pair(&self, field: &str, a: &str, b: &str) -> Checked {
+    pub(super) fn pair(&self, field: &str, a: &str, b: &str) -> Checked {
         self.ball(field, a)?;
         self.ball(field, b)?;
         if a == b {
@@ -79,7 +86,7 @@ impl Checker<'_> {
         Ok(())
     }
 
-    fn pocket(&self, field: &str, name: Option<&str>) -> Checked {
+    pub(super) fn pocket(&self, field: &str, name: Option<&str>) -> Checked {
         let pockets = &self.scene.table.pockets;
         if pockets.is_empty() {
             return self.refuse(field, name.unwrap_or("any"), "the table has no pockets");
@@ -97,7 +104,7 @@ impl Checker<'_> {
         }
     }
 
-    fn spot(&self, field: &str, spot: &Spot) -> Checked {
+    pub(super) fn spot(&self, field: &str, spot: &Spot) -> Checked {
         if let Spot::Start(ball) = spot {
             self.ball(field, ball)?;
         }
@@ -112,7 +119,7 @@ impl Checker<'_> {
         Ok(())
     }
 
-    fn range(&self, least: Option<f64>, most: Option<f64>) -> Checked {
+    pub(super) fn ends(&self, Ends(least, most): Ends) -> Checked {
         for (field, end) in [("least", least), ("most", most)] {
             if let Some(end) = end {
                 self.finite(field, end)?;
@@ -127,7 +134,7 @@ impl Checker<'_> {
         }
     }
 
-    fn finite(&self, field: &str, value: f64) -> Checked {
+    pub(super) fn finite(&self, field: &str, value: f64) -> Checked {
         if value.is_finite() {
             Ok(())
         } else {
@@ -135,7 +142,7 @@ impl Checker<'_> {
         }
     }
 
-    fn positive(&self, field: &str, value: f64) -> Checked {
+    pub(super) fn positive(&self, field: &str, value: f64) -> Checked {
         self.finite(field, value)?;
         if value > 0.0 {
             Ok(())
@@ -145,7 +152,7 @@ impl Checker<'_> {
     }
 
     /// Balls leave the slate only where it bounces.
-    fn flies(&self, field: &str, ball: &str) -> Checked {
+    pub(super) fn flies(&self, field: &str, ball: &str) -> Checked {
         let bounces = matches!(self.scene.laws.slate, SlateLaw::Bouncing(_));
         let flies = |ball: &crate::physics::scene::SceneBall| ball.state.motion.flies();
         if bounces || self.scene.balls.iter().any(flies) {
@@ -158,7 +165,7 @@ impl Checker<'_> {
         )
     }
 
-    fn contact(&self, field: &str, contact: &Contact) -> Checked {
+    pub(super) fn contact(&self, field: &str, contact: &Contact) -> Checked {
         match contact {
             Contact::Hit(a, b) => self.pair(field, a, b),
             Contact::Rail(ball) | Contact::RailAt(ball, _) => {
@@ -183,7 +190,7 @@ impl Checker<'_> {
         }
     }
 
-    fn moment(&self, field: &str, moment: &Moment) -> Checked {
+    pub(super) fn moment(&self, field: &str, moment: &Moment) -> Checked {
         match moment {
             Moment::Start | Moment::End => Ok(()),
             Moment::At(time) => {
@@ -204,158 +211,6 @@ impl Checker<'_> {
             Moment::Rolls(ball) | Moment::Rests(ball) => self.ball(field, ball),
             Moment::Falls(ball) => self.contact(field, &Contact::Falls(ball.clone())),
             Moment::Lands(ball) => self.contact(field, &Contact::Lands(ball.clone())),
-        }
-    }
-
-    fn moments(&self, from: &Moment, to: (&str, &Moment)) -> Checked {
-        self.moment("from", from)?;
-        self.moment(to.0, to.1)
-    }
-
-    #[expect(clippy::too_many_lines, reason = "one arm for each kind")]
-    fn expectation(&self, one: &Expectation) -> Checked {
-        match one {
-            Expectation::Potted { ball, pocket } => {
-                self.ball("ball", ball)?;
-                self.pocket("pocket", pocket.as_deref())
-            }
-            Expectation::Stays { ball } => self.ball("ball", ball),
-            Expectation::Order(contacts) => {
-                if contacts.is_empty() {
-                    return self.refuse("Order", "[]", "an order has one contact at least");
-                }
-                let mut numbered = contacts.iter().enumerate();
-                numbered.try_for_each(|(i, contact)| self.contact(&format!("Order[{i}]"), contact))
-            }
-            Expectation::Never(contact) => self.contact("Never", contact),
-            Expectation::Count {
-                of,
-                least,
-                most,
-                until,
-            } => {
-                self.contact("of", of)?;
-                self.moment("until", until)?;
-                self.range(least.map(f64::from), most.map(f64::from))
-            }
-            Expectation::Near {
-                ball,
-                at,
-                within,
-                when,
-            } => {
-                self.ball("ball", ball)?;
-                self.spot("at", at)?;
-                self.positive("within", *within)?;
-                self.moment("when", when)
-            }
-            Expectation::Inside {
-                ball,
-                least,
-                most,
-                when,
-            } => {
-                self.ball("ball", ball)?;
-                self.moment("when", when)?;
-                self.range(Some(least.0), Some(most.0))?;
-                self.range(Some(least.1), Some(most.1))
-            }
-            Expectation::Passes {
-                ball,
-                at,
-                within,
-                from,
-                until,
-            } => {
-                self.ball("ball", ball)?;
-                self.spot("at", at)?;
-                self.positive("within", *within)?;
-                self.moments(from, ("until", until))
-            }
-            Expectation::Gap {
-                ball,
-                of,
-                least,
-                most,
-                from,
-                until,
-            } => {
-                self.pair("ball", ball, of)?;
-                self.moments(from, ("until", until))?;
-                self.range(*least, *most)
-            }
-            Expectation::Height {
-                ball,
-                least,
-                most,
-                from,
-                until,
-            } => {
-                self.ball("ball", ball)?;
-                self.flies("ball", ball)?;
-                self.moments(from, ("until", until))?;
-                self.range(*least, *most)
-            }
-            Expectation::Over {
-                ball,
-                of,
-                least,
-                most,
-            } => {
-                self.pair("ball", ball, of)?;
-                self.flies("ball", ball)?;
-                self.range(*least, *most)
-            }
-            Expectation::Speed {
-                ball,
-                least,
-                most,
-                when,
-            } => {
-                self.ball("ball", ball)?;
-                self.moment("when", when)?;
-                self.range(*least, *most)
-            }
-            Expectation::Heading {
-                ball,
-                deg,
-                within_deg,
-                when,
-            } => {
-                self.ball("ball", ball)?;
-                self.finite("deg", *deg)?;
-                self.positive("within_deg", *within_deg)?;
-                self.moment("when", when)
-            }
-            Expectation::Turns {
-                ball,
-                least,
-                most,
-                from,
-                to,
-            }
-            | Expectation::Travels {
-                ball,
-                least,
-                most,
-                from,
-                to,
-            }
-            | Expectation::Advances {
-                ball,
-                least,
-                most,
-                from,
-                to,
-            } => {
-                self.ball("ball", ball)?;
-                self.moments(from, ("to", to))?;
-                self.range(*least, *most)
-            }
-            Expectation::Time { of, least, most } => {
-                self.moment("of", of)?;
-                self.range(*least, *most)
-            }
         }
     }
 }

@@ -2,9 +2,8 @@
 
 use glam::DVec2;
 
-use crate::physics::record::{Event, EventKind, Record};
-use crate::physics::scene::Scene;
-use crate::scenarios::expect::measure::{Reading, Shown};
+use crate::physics::record::{Event, EventKind};
+use crate::scenarios::expect::reading::{Play, Reading, Shown};
 use crate::scenarios::expect::trace::{self, Span, place, plan};
 use crate::scenarios::expect::{Contact, Moment};
 
@@ -14,26 +13,20 @@ const STEP: f64 = 0.5;
 /// What counts where nothing says how near a shot came.
 const UNKNOWN: f64 = 1.0;
 
-fn whole(record: &Record) -> Span {
-    Span {
-        from: 0.0,
-        until: record.end_time,
-    }
-}
-
 /// The distance in m in space between the surfaces of two balls.
-pub(super) fn gap(scene: &Scene, record: &Record, [a, b]: [usize; 2], time: f64) -> f64 {
+pub(super) fn gap(play: &Play, [a, b]: [usize; 2], time: f64) -> f64 {
+    let (scene, record) = (play.scene, play.record);
     let apart = place(record, a, time).distance(place(record, b, time));
     apart - scene.balls[a].ball.radius - scene.balls[b].ball.radius
 }
 
 /// The least gap between two balls from a time on, m.
-fn least_gap(scene: &Scene, record: &Record, pair: [usize; 2], from: f64) -> f64 {
+fn least_gap(play: &Play, pair: [usize; 2], from: f64) -> f64 {
     let span = Span {
         from,
-        until: record.end_time,
+        ..play.whole()
     };
-    trace::least(record, &pair, span, |time| gap(scene, record, pair, time))
+    trace::least(play.record, &pair, span, |time| gap(play, pair, time))
         .map_or(UNKNOWN, |(_, gap)| gap.max(0.0))
 }
 
@@ -49,7 +42,8 @@ fn fall(event: &Event, ball: usize) -> Option<Shown> {
 }
 
 /// A ball that a pocket should take.
-pub(super) fn potted(scene: &Scene, record: &Record, ball: usize, name: Option<&str>) -> Reading {
+pub(super) fn potted(play: &Play, ball: usize, name: Option<&str>) -> Reading {
+    let (scene, record) = (play.scene, play.record);
     let fell = record
         .events
         .iter()
@@ -66,7 +60,7 @@ pub(super) fn potted(scene: &Scene, record: &Record, ball: usize, name: Option<&
         let pocket: &crate::physics::table::Pocket = pocket;
         name.is_none_or(|name| pocket.name == name)
     };
-    let span = whole(record);
+    let span = play.whole();
     let away = |center: DVec2, radius: f64| {
         let away = |time: f64| plan(place(record, ball, time)).distance(center) - radius;
         trace::least(record, &[ball], span, away).map_or(UNKNOWN, |(_, away)| away.max(0.0))
@@ -82,7 +76,7 @@ pub(super) fn potted(scene: &Scene, record: &Record, ball: usize, name: Option<&
     if !trace::moved(record, ball) {
         let nearest = (0..scene.balls.len())
             .filter(|other| *other != ball && trace::moved(record, *other))
-            .map(|other| least_gap(scene, record, [ball, other], 0.0))
+            .map(|other| least_gap(play, [ball, other], 0.0))
             .fold(4.0, f64::min);
         miss += STEP + nearest;
     }
@@ -90,8 +84,8 @@ pub(super) fn potted(scene: &Scene, record: &Record, ball: usize, name: Option<&
 }
 
 /// A ball that should stay in play.
-pub(super) fn stays(record: &Record, ball: usize) -> Reading {
-    let fell = record.events.iter().rev().find_map(|event| {
+pub(super) fn stays(play: &Play, ball: usize) -> Reading {
+    let fell = play.record.events.iter().rev().find_map(|event| {
         let speed = event.first.before.velocity.length();
         fall(event, ball).map(|shown| (shown, speed))
     });
@@ -103,12 +97,12 @@ pub(super) fn stays(record: &Record, ball: usize) -> Reading {
 }
 
 /// Contacts that should come in this order.
-pub(super) fn order(scene: &Scene, record: &Record, contacts: &[Contact]) -> Reading {
+pub(super) fn order(play: &Play, contacts: &[Contact]) -> Reading {
     let mut done = 0;
     let mut reached = 0.0;
-    for event in &record.events {
+    for event in &play.record.events {
         match contacts.get(done) {
-            Some(next) if next.is(scene, event) => {
+            Some(next) if next.is(play.scene, event) => {
                 done += 1;
                 reached = event.time;
             }
@@ -120,15 +114,16 @@ pub(super) fn order(scene: &Scene, record: &Record, contacts: &[Contact]) -> Rea
         None => 0.0,
         Some(next) => {
             let left = (of - done - 1) as f64;
-            STEP * left + 0.01 + away_from_contact(next, scene, record, reached)
+            STEP * left + 0.01 + away_from_contact(play, next, reached)
         }
     };
     Reading::new(Shown::Steps { done, of }, miss)
 }
 
 /// A contact that should not happen.
-pub(super) fn never(scene: &Scene, record: &Record, contact: &Contact) -> Reading {
-    let found = record.events.iter().find(|event| contact.is(scene, event));
+pub(super) fn never(play: &Play, contact: &Contact) -> Reading {
+    let mut events = play.record.events.iter();
+    let found = events.find(|event| contact.is(play.scene, event));
     let miss = found.map_or(0.0, |event| {
         // A hit that only just grazes is nearer to none than a full one.
         let pushed = event.second.map_or(1.0, |second| {
@@ -141,18 +136,19 @@ pub(super) fn never(scene: &Scene, record: &Record, contact: &Contact) -> Readin
 }
 
 /// How far a shot is from a contact that did not happen after a time.
-fn away_from_contact(contact: &Contact, scene: &Scene, record: &Record, after: f64) -> f64 {
+fn away_from_contact(play: &Play, contact: &Contact, after: f64) -> f64 {
+    let (scene, record) = (play.scene, play.record);
     let index = |name: &str| scene.ball_named(name);
     match contact {
         Contact::Hit(a, b) => match (index(a), index(b)) {
-            (Some(a), Some(b)) => least_gap(scene, record, [a, b], after),
+            (Some(a), Some(b)) => least_gap(play, [a, b], after),
             _ => UNKNOWN,
         },
-        Contact::Falls(ball) => index(ball).map_or(UNKNOWN, |ball| {
-            potted(scene, record, ball, None).miss.min(UNKNOWN)
-        }),
+        Contact::Falls(ball) => {
+            index(ball).map_or(UNKNOWN, |ball| potted(play, ball, None).miss.min(UNKNOWN))
+        }
         Contact::FallsInto(ball, pocket) => index(ball).map_or(UNKNOWN, |ball| {
-            potted(scene, record, ball, Some(pocket)).miss.min(UNKNOWN)
+            potted(play, ball, Some(pocket)).miss.min(UNKNOWN)
         }),
         Contact::Rail(ball) | Contact::RailAt(ball, _) => index(ball).map_or(UNKNOWN, |ball| {
             let at = plan(record.state_at(ball, record.end_time).position);
@@ -164,11 +160,12 @@ fn away_from_contact(contact: &Contact, scene: &Scene, record: &Record, after: f
 }
 
 /// How far a shot is from a moment that did not come.
-pub(super) fn away_from(moment: &Moment, scene: &Scene, record: &Record) -> f64 {
+pub(super) fn away_from(play: &Play, moment: &Moment) -> f64 {
+    let (scene, record) = (play.scene, play.record);
     match moment {
         Moment::Hit(a, b) | Moment::After(a, b) => match (scene.ball_named(a), scene.ball_named(b))
         {
-            (Some(a), Some(b)) => least_gap(scene, record, [a, b], 0.0),
+            (Some(a), Some(b)) => least_gap(play, [a, b], 0.0),
             _ => UNKNOWN,
         },
         Moment::Rail(ball, number) | Moment::AfterRail(ball, number) => {
@@ -182,9 +179,9 @@ pub(super) fn away_from(moment: &Moment, scene: &Scene, record: &Record) -> f64 
             let found = record.events.iter().filter(is).count() as f64;
             STEP * (f64::from(*number) - found).max(0.0)
         }
-        Moment::Falls(ball) => scene.ball_named(ball).map_or(UNKNOWN, |ball| {
-            potted(scene, record, ball, None).miss.min(UNKNOWN)
-        }),
+        Moment::Falls(ball) => scene
+            .ball_named(ball)
+            .map_or(UNKNOWN, |ball| potted(play, ball, None).miss.min(UNKNOWN)),
         Moment::Start
         | Moment::End
         | Moment::At(_)

@@ -232,4 +232,12 @@ impl Spot {
             }
         }
     }
+
+    /// Whether the place is on the playing surface.
+    pub(super) fn on_table(&self, scene: &Scene) -> bool {
+        self.point(scene).is_some_and(|point| {
+            let half = 0.5 * DVec2::new(scene.table.length, scene.table.width);
+            point.abs().cmple(half).all()
+        })
+    }
 }

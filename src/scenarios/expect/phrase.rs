@@ -5,6 +5,19 @@ use std::fmt::{self, Display, Formatter};
 
 use serde::{Serialize, Serializer};
 
+/// A phrase: its key, its English, and the values in it.
+macro_rules! say {
+    ($key:literal, $english:literal $(, $name:ident: $value:expr)* $(,)?) => {
+        $crate::scenarios::expect::phrase::Phrase {
+            key: $key,
+            english: $english,
+            values: vec![$((stringify!($name), $crate::scenarios::expect::phrase::Word::from($value))),*],
+        }
+    };
+}
+
+pub(super) use say;
+
 /// A sentence, or a part of one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Phrase {

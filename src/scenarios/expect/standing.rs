@@ -2,6 +2,7 @@
 
 use crate::physics::record::Record;
 use crate::physics::scene::Scene;
+use crate::scenarios::expect::reading::{Ends, Play};
 use crate::scenarios::expect::{Expectation, Moment, Outcome, judge};
 
 /// Where an expectation stands.
@@ -28,7 +29,12 @@ pub fn standings(
         .into_iter()
         .zip(expect)
         .map(|(outcome, expected)| {
-            let settled = is_over || is_settled(expected, &outcome, scene, record);
+            let progress = Progress {
+                play: Play { scene, record },
+                met: outcome.met,
+                found: outcome.found,
+            };
+            let settled = is_over || expected.kind().is_settled(&progress);
             let standing = match (settled, outcome.met) {
                 (false, _) => Standing::Open,
                 (true, true) => Standing::Met,
@@ -39,72 +45,25 @@ pub fn standings(
         .collect()
 }
 
-/// Whether nothing that follows can change the outcome.
-fn is_settled(expected: &Expectation, outcome: &Outcome, scene: &Scene, record: &Record) -> bool {
-    let met = outcome.met;
-    // Moments that come once. A ball that rests may be hit again, and the end is not there yet.
-    let came = |moment: &Moment| {
-        !matches!(moment, Moment::End | Moment::Rests(_)) && moment.came(scene, record).is_some()
-    };
-    let is_gone = |name: &str| {
-        let ball = scene.ball_named(name).and_then(|ball| record.end.get(ball));
-        ball.is_some_and(|state| !state.motion.in_play())
-    };
-    // Values that only grow: once over the most they are lost, once over the least alone they are won.
-    let grows = |least: Option<f64>, most: Option<f64>| {
-        if met {
+/// A shot that may go on, and what has been read of an expectation so far.
+pub(super) struct Progress<'a> {
+    pub(super) play: Play<'a>,
+    pub(super) met: bool,
+    pub(super) found: Option<f64>,
+}
+
+impl Progress<'_> {
+    /// Whether a moment that comes once has come. A ball that rests may be hit again, and the end is not there yet.
+    pub(super) fn came(&self, moment: &Moment) -> bool {
+        !matches!(moment, Moment::End | Moment::Rests(_)) && self.play.came(moment).is_some()
+    }
+
+    /// Whether a value that only grows is settled: once over the most it is lost, once over the least alone it is won.
+    pub(super) fn grows(&self, Ends(least, most): Ends) -> bool {
+        if self.met {
             least.is_some() && most.is_none()
         } else {
-            matches!((outcome.found, most), (Some(found), Some(most)) if found > most)
+            matches!((self.found, most), (Some(found), Some(most)) if found > most)
         }
-    };
-    match expected {
-        Expectation::Potted { ball, .. } => met || is_gone(ball),
-        Expectation::Stays { .. } | Expectation::Never(_) => !met,
-        Expectation::Order(_) => met,
-        Expectation::Count {
-            least, most, until, ..
-        } => came(until) || grows(least.map(f64::from), most.map(f64::from)),
-        Expectation::Near { when, .. }
-        | Expectation::Inside { when, .. }
-        | Expectation::Speed { when, .. }
-        | Expectation::Heading { when, .. } => came(when),
-        Expectation::Passes { until, from, .. } => met || (came(until) && came(from)),
-        Expectation::Gap {
-            least,
-            most,
-            from,
-            until,
-            ..
-        } => {
-            if came(until) && came(from) {
-                return true;
-            }
-            // The least gap only shrinks.
-            match (met, least, most) {
-                (true, least, _) => least.is_none(),
-                (false, Some(least), _) => outcome.found.is_some_and(|found| found < *least),
-                (false, None, _) => false,
-            }
-        }
-        Expectation::Height {
-            least,
-            most,
-            from,
-            until,
-            ..
-        } => (came(until) && came(from)) || grows(*least, *most),
-        Expectation::Over { .. } => false,
-        Expectation::Turns { from, to, .. } | Expectation::Advances { from, to, .. } => {
-            came(from) && came(to)
-        }
-        Expectation::Travels {
-            least,
-            most,
-            from,
-            to,
-            ..
-        } => came(from) && (came(to) || (to.is_end() && grows(*least, *most))),
-        Expectation::Time { of, .. } => came(of),
     }
 }

@@ -1,33 +1,22 @@
-//! Expectations and what became of them, in words.
+//! What expectations are made of, and what became of them, in words.
 
 use std::fmt::{self, Display, Formatter};
 
-use super::phrase::Word::{Apart, Ball, Count, Digits, Number, Pocket, Then, Unit};
-use super::phrase::{Phrase, Word};
+use super::phrase::Word::{Apart, Ball, Count, Digits, Number, Pocket, Unit};
+use super::phrase::{Phrase, Word, say};
 use crate::physics::scene::Scene;
-use crate::scenarios::expect::measure::Shown;
+use crate::scenarios::expect::reading::{Ends, Shown};
 use crate::scenarios::expect::{Contact, Expectation, Moment, Rail, Spot};
 
-/// A phrase: its key, its English, and the values in it.
-macro_rules! say {
-    ($key:literal, $english:literal $(, $name:ident: $value:expr)* $(,)?) => {
-        Phrase {
-            key: $key,
-            english: $english,
-            values: vec![$((stringify!($name), Word::from($value))),*],
-        }
-    };
-}
-
-fn ball(name: &str) -> Word {
+pub(super) fn ball(name: &str) -> Word {
     Ball(name.to_owned())
 }
 
-fn pocket(name: &str) -> Word {
+pub(super) fn pocket(name: &str) -> Word {
     Pocket(name.to_owned())
 }
 
-fn contact(of: &Contact) -> Phrase {
+pub(super) fn contact(of: &Contact) -> Phrase {
     match of {
         Contact::Hit(a, b) => say!("contact-hit", "{a} meets {b}", a: ball(a), b: ball(b)),
         Contact::Rail(a) => say!("contact-rail", "{a} meets a cushion", a: ball(a)),
@@ -52,7 +41,7 @@ fn contact(of: &Contact) -> Phrase {
     }
 }
 
-fn moment(of: &Moment) -> Phrase {
+pub(super) fn moment(of: &Moment) -> Phrase {
     match of {
         Moment::Start => say!("moment-start", "the start"),
         Moment::End => say!("moment-end", "the end"),
@@ -79,7 +68,7 @@ fn moment(of: &Moment) -> Phrase {
     }
 }
 
-fn spot(of: &Spot) -> Phrase {
+pub(super) fn spot(of: &Spot) -> Phrase {
     match of {
         Spot::Position(x, z) => {
             say!("spot-position", "x = {x} m, z = {z} m", x: Number(*x), z: Number(*z))
@@ -103,7 +92,8 @@ fn unit(name: &'static str) -> Word {
     }
 }
 
-fn range(least: Option<f64>, most: Option<f64>, name: &'static str) -> Phrase {
+/// The values that are allowed.
+pub(super) fn ends(Ends(least, most): Ends, name: &'static str) -> Phrase {
     let (unit, number) = (unit(name), Number);
     match (least, most) {
         (Some(least), Some(most)) => say!(
@@ -121,7 +111,7 @@ fn range(least: Option<f64>, most: Option<f64>, name: &'static str) -> Phrase {
 }
 
 /// What is said about a time only if it is not the whole run.
-fn between(from: &Moment, until: &Moment) -> Word {
+pub(super) fn between(from: &Moment, until: &Moment) -> Word {
     Apart(
         match (from.is_start(), until.is_end()) {
             (true, true) => None,
@@ -134,157 +124,6 @@ fn between(from: &Moment, until: &Moment) -> Word {
         }
         .map(Box::new),
     )
-}
-
-/// What is expected.
-#[expect(clippy::too_many_lines, reason = "one arm for each kind")]
-pub(super) fn wanted(expected: &Expectation) -> Phrase {
-    match expected {
-        Expectation::Potted {
-            ball: a,
-            pocket: Some(into),
-        } => say!(
-            "expect-potted-into", "{a} falls into {pocket}", a: ball(a), pocket: pocket(into)
-        ),
-        Expectation::Potted {
-            ball: a,
-            pocket: None,
-        } => {
-            say!("expect-potted", "{a} is potted", a: ball(a))
-        }
-        Expectation::Stays { ball: a } => {
-            say!("expect-stays", "{a} stays on the table", a: ball(a))
-        }
-        Expectation::Order(contacts) => say!(
-            "expect-order", "{contacts}", contacts: Then(contacts.iter().map(contact).collect())
-        ),
-        Expectation::Never(one) => {
-            say!("expect-never", "never: {contact}", contact: contact(one))
-        }
-        Expectation::Count {
-            of,
-            least,
-            most,
-            until,
-        } => say!(
-            "expect-count", "{contact} {range}{span}",
-            contact: contact(of),
-            range: range(least.map(f64::from), most.map(f64::from), "times"),
-            span: between(&Moment::Start, until),
-        ),
-        Expectation::Near {
-            ball: a,
-            at,
-            within,
-            when,
-        } => say!(
-            "expect-near", "{a} is within {within} m of {spot} at {when}",
-            a: ball(a), within: Number(*within), spot: spot(at), when: moment(when),
-        ),
-        Expectation::Inside {
-            ball: a,
-            least,
-            most,
-            when,
-        } => say!(
-            "expect-inside",
-            "{a} is between x = {x} m, z = {z} m and x = {xx} m, z = {zz} m at {when}",
-            a: ball(a), x: Number(least.0), z: Number(least.1), xx: Number(most.0),
-            zz: Number(most.1), when: moment(when),
-        ),
-        Expectation::Passes {
-            ball: a,
-            at,
-            within,
-            from,
-            until,
-        } => say!(
-            "expect-passes", "{a} passes within {within} m of {spot}{span}",
-            a: ball(a), within: Number(*within), spot: spot(at), span: between(from, until),
-        ),
-        Expectation::Gap {
-            ball: a,
-            of,
-            least,
-            most,
-            from,
-            until,
-        } => say!(
-            "expect-gap", "the smallest gap between {a} and {b}{span} is {range}",
-            a: ball(a), b: ball(of), span: between(from, until), range: range(*least, *most, "m"),
-        ),
-        Expectation::Height {
-            ball: a,
-            least,
-            most,
-            from,
-            until,
-        } => say!(
-            "expect-height", "{a} rises{span} {range} over the slate",
-            a: ball(a), span: between(from, until), range: range(*least, *most, "m"),
-        ),
-        Expectation::Over {
-            ball: a,
-            of,
-            least,
-            most,
-        } => say!(
-            "expect-over", "{a} flies {range} over the top of {b}",
-            a: ball(a), b: ball(of), range: range(*least, *most, "m"),
-        ),
-        Expectation::Speed {
-            ball: a,
-            least,
-            most,
-            when,
-        } => say!(
-            "expect-speed", "the speed of {a} at {when} is {range}",
-            a: ball(a), when: moment(when), range: range(*least, *most, "m/s"),
-        ),
-        Expectation::Heading {
-            ball: a,
-            deg,
-            within_deg,
-            when,
-        } => say!(
-            "expect-heading", "{a} moves along {deg} degrees, within {within}, at {when}",
-            a: ball(a), deg: Number(*deg), within: Number(*within_deg), when: moment(when),
-        ),
-        Expectation::Turns {
-            ball: a,
-            least,
-            most,
-            from,
-            to,
-        } => say!(
-            "expect-turns", "{a} turns by {range} between {from} and {to}",
-            a: ball(a), range: range(*least, *most, "degrees"), from: moment(from), to: moment(to),
-        ),
-        Expectation::Travels {
-            ball: a,
-            least,
-            most,
-            from,
-            to,
-        } => say!(
-            "expect-travels", "{a} travels {range}{span}",
-            a: ball(a), range: range(*least, *most, "m"), span: between(from, to),
-        ),
-        Expectation::Advances {
-            ball: a,
-            least,
-            most,
-            from,
-            to,
-        } => say!(
-            "expect-advances", "{a} gets {range} ahead{span}",
-            a: ball(a), range: range(*least, *most, "m"), span: between(from, to),
-        ),
-        Expectation::Time { of, least, most } => say!(
-            "expect-time", "{moment} comes at {range}",
-            moment: moment(of), range: range(*least, *most, "s"),
-        ),
-    }
 }
 
 /// What happened.
@@ -337,6 +176,6 @@ impl Display for Moment {
 
 impl Display for Expectation {
     fn fmt(&self, f: &mut Formatter) -> fmt::Result {
-        wanted(self).fmt(f)
+        self.wanted().fmt(f)
     }
 }

@@ -22,7 +22,7 @@ use crate::window::crowd::pace::{self, Cost};
 use crate::window::crowd::pack::Packed;
 use crate::window::crowd::scenes::{self, Loading};
 use crate::window::language::Language;
-use crate::window::page::panel_id;
+use crate::window::page::SidePanel;
 
 /// Width of the panel in points.
 const WIDTH: f32 = 262.0;
@@ -74,33 +74,15 @@ pub(super) fn show(mut contexts: EguiContexts, mut desk: Desk) -> Result {
         return Ok(());
     }
     let context = contexts.ctx_mut()?;
-    let margin = egui::vec2(-8.0, 8.0);
-    if !desk.panel.open {
-        egui::Area::new(egui::Id::new("crowd panel button"))
-            .anchor(egui::Align2::RIGHT_TOP, margin)
-            .show(context, |ui| {
-                if ui.button(desk.language.text("crowd-title")).clicked() {
-                    desk.panel.open = true;
-                }
-            });
-        return Ok(());
-    }
-    let mut open = true;
-    let height = context.content_rect().height();
-    egui::Window::new(desk.language.text("crowd-title"))
-        .id(panel_id(context, "crowd"))
-        .open(&mut open)
-        .pivot(egui::Align2::RIGHT_TOP)
-        .default_pos(context.content_rect().right_top() + margin)
-        .auto_sized()
-        .show(context, |ui| {
-            ui.set_width(WIDTH);
-            egui::ScrollArea::vertical()
-                .max_height(height - 60.0)
-                .show(ui, |ui| contents(ui, &mut desk));
-        });
-    if !open {
-        desk.panel.open = false;
+    let panel = SidePanel {
+        name: "crowd",
+        title: desk.language.text("crowd-title").to_owned(),
+        width: WIDTH,
+        below: 60.0,
+    };
+    let open = panel.show(context, desk.panel.open, |ui| contents(ui, &mut desk));
+    if open != desk.panel.open {
+        desk.panel.open = open;
     }
     Ok(())
 }

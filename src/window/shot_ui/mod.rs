@@ -30,7 +30,7 @@ use crate::sim::stepped::crowd::is_crowd;
 use crate::window::WindowSystems;
 use crate::window::action::{Action, Latched};
 use crate::window::language::Language;
-use crate::window::page::panel_id;
+use crate::window::page::SidePanel;
 
 /// Width of the panel in points.
 const WIDTH: f32 = 286.0;
@@ -97,33 +97,15 @@ fn toggle(actions: Single<&ActionState<Action>>, mut panel: ResMut<ShotPanel>) {
 /// Lays out the panel, or the button that brings it back.
 fn show(mut contexts: EguiContexts, mut desk: Desk) -> Result {
     let context = contexts.ctx_mut()?;
-    let margin = egui::vec2(-8.0, 8.0);
-    if !desk.panel.open {
-        egui::Area::new(egui::Id::new("shot panel button"))
-            .anchor(egui::Align2::RIGHT_TOP, margin)
-            .show(context, |ui| {
-                if ui.button(desk.language.text("shot-title")).clicked() {
-                    desk.panel.open = true;
-                }
-            });
-        return Ok(());
-    }
-    let mut open = true;
-    let height = context.content_rect().height();
-    egui::Window::new(desk.language.text("shot-title"))
-        .id(panel_id(context, "shot"))
-        .open(&mut open)
-        .pivot(egui::Align2::RIGHT_TOP)
-        .default_pos(context.content_rect().right_top() + margin)
-        .auto_sized()
-        .show(context, |ui| {
-            ui.set_width(WIDTH);
-            egui::ScrollArea::vertical()
-                .max_height(height - 120.0)
-                .show(ui, |ui| contents(ui, &mut desk));
-        });
-    if !open {
-        desk.panel.open = false;
+    let panel = SidePanel {
+        name: "shot",
+        title: desk.language.text("shot-title").to_owned(),
+        width: WIDTH,
+        below: 120.0,
+    };
+    let open = panel.show(context, desk.panel.open, |ui| contents(ui, &mut desk));
+    if open != desk.panel.open {
+        desk.panel.open = open;
     }
     Ok(())
 }

@@ -10,7 +10,7 @@ use masse::cli;
 use super::attack;
 use super::texts::letters;
 
-const WORDS: [&str; 44] = [
+const WORDS: [&str; 48] = [
     "run",
     "judge",
     "list",
@@ -48,6 +48,10 @@ const WORDS: [&str; 44] = [
     "-q",
     "--json",
     "--hard",
+    "sweep",
+    "laws",
+    "--over",
+    "speed=1:2:3",
     "--allow",
     "--no-pictures",
     "--preset",

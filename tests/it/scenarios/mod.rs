@@ -10,6 +10,7 @@ mod searching;
 mod sensitivities;
 mod sharing;
 mod standing;
+mod sweeps;
 
 use masse::physics::exact::{self, Limits};
 use masse::physics::record::Record;
