@@ -68,6 +68,8 @@ pub enum Motion {
     Airborne,
     /// Rolls over the rounded edge of a pocket.
     Tipping,
+    /// At rest off the slate: the edge of a pocket, its liner, noses or other such balls bear it.
+    Wedged,
     /// In a pocket: out of play.
     Pocketed,
     /// Has left the table: out of play.
@@ -90,16 +92,19 @@ impl Motion {
         !matches!(self, Self::Pocketed | Self::OffTable)
     }
 
-    /// Whether the ball is off the flat of the slate: it falls, and meets things in space and not in plan.
+    /// Whether the ball is off the flat of the slate: it meets things in space and not in plan, and falls unless it is wedged.
     #[must_use]
     pub fn flies(self) -> bool {
-        matches!(self, Self::Airborne | Self::Tipping)
+        matches!(self, Self::Airborne | Self::Tipping | Self::Wedged)
     }
 
     /// Whether nothing of the ball moves, in play or not.
     #[must_use]
     pub fn is_still(self) -> bool {
-        matches!(self, Self::Rest | Self::Pocketed | Self::OffTable)
+        matches!(
+            self,
+            Self::Rest | Self::Wedged | Self::Pocketed | Self::OffTable
+        )
     }
 }
 

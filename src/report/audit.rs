@@ -155,13 +155,13 @@ impl<'s> Audit<'s> {
     }
 
     /// What lasting contacts may add at one event in J: they part with half the speed that their press gives them in a
-    /// contact time. Falls below the slate count from there.
+    /// contact time, and with a speed that is too little to tell from rest. Falls below the slate count from there.
     fn allowance(&self, event: &Event) -> f64 {
         event
             .participants()
             .map(|one| {
                 let press = self.paths[one.ball].piece.acceleration.length();
-                let speed = CONTACT_TIME * press.max(self.gravity);
+                let speed = CONTACT_TIME * press.max(self.gravity) + 4.0 * STILL;
                 self.scene.balls[one.ball].ball.mass * speed * speed
             })
             .sum()

@@ -238,7 +238,8 @@ impl Engine {
         self.happened += 1;
         self.last = self.clock;
         self.set(ball, struck.state, watch)?;
-        self.push_off(ball, watch)
+        self.push_off(ball, watch)?;
+        self.let_go(ball, watch)
     }
 
     /// Sets the clock of a table at rest to 0.

@@ -53,7 +53,8 @@ impl Flight {
         let level = path.piece.acceleration == DVec3::ZERO
             && start.position.y == body.radius
             && start.velocity.y == 0.0
-            && start.motion.in_play();
+            && start.motion.in_play()
+            && !start.motion.flies();
         Self {
             x: start.position.x,
             z: start.position.z,

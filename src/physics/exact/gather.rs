@@ -8,7 +8,7 @@ use crate::physics::exact::engine::Engine;
 use crate::physics::exact::predict::Partner;
 use crate::physics::exact::walls::{Area, Wall};
 use crate::physics::laws::cluster::{
-    CONTACT_TIME, DEEP, LEAN, Member, Other, TOUCH, leans, leans_inside, reach_of, touches,
+    CONTACT_TIME, DEEP, How, LEAN, Member, Other, TOUCH, leans, leans_inside, reach_of, touches,
     touches_inside,
 };
 use crate::physics::laws::pocket::PocketLaw;
@@ -68,17 +68,23 @@ impl Engine {
             .touch_inside(&self.laws, &self.table, first, what);
     }
 
-    /// Adds everything that touches the members, and what touches that; with `squeezed` also what they lean on.
-    pub(super) fn gather(&mut self, partner: Partner, squeezed: bool) -> Result<(), SolveError> {
+    /// Adds everything that touches the members, and what touches that; also what they lean on, or of those that fly all that
+    /// is close.
+    pub(super) fn gather(&mut self, partner: Partner, how: How) -> Result<(), SolveError> {
+        let within = if how == How::Close { LEAN } else { TOUCH };
         let mut place = 0;
         while place < self.cluster.members.len() {
             let Member { ball, body, state } = self.cluster.members[place];
+            if how == How::Close && !state.motion.flies() {
+                place += 1;
+                continue;
+            }
             let mut near = std::mem::take(&mut self.near);
             near.clear();
             {
                 let mut look = |other: usize| {
                     let flight = &self.flights[other];
-                    let reach = body.radius + flight.radius + TOUCH;
+                    let reach = body.radius + flight.radius + within;
                     let offset = self.center(other) - state.position;
                     if offset.length_squared() <= reach * reach && flight.in_play && other != ball {
                         near.push(other);
@@ -106,8 +112,8 @@ impl Engine {
                 }
             }
             self.near = near;
-            self.gather_walls(place, partner)?;
-            if squeezed {
+            self.gather_walls(place, partner, how)?;
+            if how == How::Leaning {
                 self.gather_leaning(place, partner)?;
             }
             place += 1;
@@ -156,6 +162,7 @@ impl Engine {
         &mut self,
         place: usize,
         partner: Partner,
+        how: How,
     ) -> Result<(), SolveError> {
         let member = &self.cluster.members[place];
         let reach = reach_of(&self.table, &member.body, &member.state);
@@ -184,7 +191,9 @@ impl Engine {
             let met = |what| place == 0 && partner == Partner::from(what);
             match wall {
                 Wall::Cushion(cushion) => {
-                    let touches = touches(&self.table.cushions[cushion as usize], point, reach);
+                    let cushion_line = &self.table.cushions[cushion as usize];
+                    let touches = touches(cushion_line, point, reach)
+                        || (how == How::Close && leans(cushion_line, point, reach));
                     if touches && !met(Other::Cushion(cushion)) {
                         self.touch_cushion(place, cushion)?;
                     }
@@ -192,7 +201,10 @@ impl Engine {
                 Wall::Pocket(pocket) => {
                     for what in [Other::Rim(pocket), Other::Wall(pocket)] {
                         let Member { body, state, .. } = &self.cluster.members[place];
-                        let touches = touches_inside(&self.laws, &self.table, (body, state), what);
+                        let (laws, table) = (&self.laws, &self.table);
+                        let touches = touches_inside(laws, table, (body, state), what)
+                            || (how == How::Close
+                                && leans_inside(laws, table, (body, state), what));
                         if touches && !met(what) {
                             self.touch_inside(place, what);
                         }

@@ -60,8 +60,7 @@ impl Engine {
     ) -> Result<(), SolveError> {
         let (touched, now) = (&self.touched, self.clock);
         let age = |ball: usize, other: Other| now - touched[ball].last(other);
-        let squeezed = self.cluster.is_squeezed(blow, age);
-        self.gather(partner, squeezed)?;
+        self.gather(partner, self.cluster.how(blow, age))?;
         let touched = &self.touched;
         let age = |ball: usize, other: Other| now - touched[ball].last(other);
         self.cluster.collide(&self.laws, &self.table, blow, age);
@@ -83,6 +82,14 @@ impl Engine {
             if met || state != self.cluster.before[place] {
                 self.predict(ball)?;
             }
+        }
+        let met = self.cluster.members[0].ball;
+        let (hold, jammed) = (self.cluster.may_hold(), self.cluster.is_jammed());
+        for ball in self.cluster.dislodged().collect::<Vec<_>>() {
+            self.let_go(ball, watch)?;
+        }
+        if hold {
+            self.hold(met, jammed, watch)?;
         }
         Ok(())
     }

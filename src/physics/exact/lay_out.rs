@@ -124,7 +124,8 @@ impl Engine {
     }
 
     fn predict_all(&mut self) -> Result<(), SolveError> {
-        (0..self.count()).try_for_each(|ball| self.predict(ball))
+        (0..self.count()).try_for_each(|ball| self.predict(ball))?;
+        self.wake_loose(&mut ())
     }
 }
 

@@ -33,6 +33,7 @@ mod recorder;
 mod saved;
 mod step;
 mod walls;
+mod wedged;
 
 pub use engine::Engine;
 pub use recorder::{Recorder, Watch};

@@ -139,6 +139,7 @@ impl Laws {
     pub fn settled(&self, table: &Table, ball: &Ball, state: &State) -> State {
         let mut state = *state;
         if state.motion == Motion::Tipping {
+            // A ball that is hit while it tips falls from there.
             state.motion = Motion::Airborne;
         }
         let state = self.touch_down(table, ball, &state);

@@ -2,19 +2,10 @@
 
 use std::collections::HashSet;
 
-use glam::DVec2;
-
 use crate::physics::laws::motion::MotionLaw;
-use crate::physics::laws::pocket::PocketLaw;
 use crate::physics::scene::range::{Listed, check_parameters, in_plan, in_space, within};
 use crate::physics::scene::{Scene, SceneBall, SceneError, Solver, Stepped};
-use crate::physics::table::{Cushion, Ground};
-
-/// Overlap in m that still counts as touching: rounding of positions written in a file.
-pub const OVERLAP_TOLERANCE: f64 = 1e-9;
-
-/// A ball whose centre comes nearer than this share of its radius to the nose line passes over the nose, or under it.
-const LEAST_REACH: f64 = 0.1;
+use crate::physics::table::Cushion;
 
 /// Most cells of a grid: more would cost memory and find nothing sooner.
 const MOST_CELLS: f64 = 1e6;
@@ -230,151 +221,8 @@ impl Scene {
         }
         Ok(())
     }
-
-    /// Every ball lies on the slate, clear of cushions and holes.
-    fn check_places(&self) -> Result<(), SceneError> {
-        for ball in &self.balls {
-            let (radius, position) = (ball.ball.radius, ball.state.position);
-            let name = || ball.name.clone();
-            if 2.0 * radius > self.table.length.min(self.table.width) {
-                return Err(SceneError::TableTooSmall {
-                    length: self.table.length,
-                    width: self.table.width,
-                    ball: name(),
-                    radius,
-                });
-            }
-            if !in_play(ball) {
-                continue;
-            }
-            // One that begins in the air comes down.
-            let nose_height = self.table.nose_height;
-            let reach = self.table.nose.reach_at(nose_height, radius, radius);
-            let held = reach.is_some_and(|reach| reach >= LEAST_REACH * radius);
-            if !held && !self.table.cushions.is_empty() {
-                return Err(SceneError::NotHeld {
-                    ball: name(),
-                    radius,
-                    nose_height,
-                });
-            }
-            let height = position.y - radius;
-            let flies = height > OVERLAP_TOLERANCE && self.laws.motion.gravity().is_some();
-            if height.abs() > OVERLAP_TOLERANCE && !flies {
-                return Err(SceneError::OffSlate {
-                    ball: name(),
-                    height: position.y,
-                    radius,
-                });
-            }
-            let plan = DVec2::new(position.x, position.z);
-            for (cushion, nose) in self.table.cushions.iter().enumerate() {
-                let (profile, nose_height) = (&self.table.nose, self.table.nose_height);
-                let Some(reach) = profile.reach_at(nose_height, radius, position.y) else {
-                    continue;
-                };
-                let overlap = reach - nose.nearest(plan).0;
-                if overlap > OVERLAP_TOLERANCE {
-                    return Err(SceneError::InsideCushion {
-                        ball: name(),
-                        cushion,
-                        overlap,
-                    });
-                }
-            }
-            for pocket in &self.table.pockets {
-                let distance = (plan - pocket.center).length();
-                if distance < pocket.radius && !flies {
-                    return Err(SceneError::OverPocket {
-                        ball: name(),
-                        pocket: pocket.name.clone(),
-                        overlap: pocket.radius - distance,
-                    });
-                }
-            }
-            // On the shelf of a pocket a ball can rest past the line of the noses.
-            if self.table.beyond(plan) > 0.0 && self.table.ground(plan) == Ground::Off {
-                return Err(SceneError::OffTable {
-                    ball: name(),
-                    x: plan.x,
-                    z: plan.y,
-                });
-            }
-        }
-        Ok(())
-    }
-
-    /// Where balls fall into pockets, every ball falls through every pocket.
-    fn check_pockets(&self) -> Result<(), SceneError> {
-        let (PocketLaw::Rim(rim), Some(_)) = (self.laws.pocket, self.laws.motion.gravity()) else {
-            return Ok(());
-        };
-        let playing = self.balls.iter().filter(|ball| in_play(ball));
-        let Some(largest) = playing.max_by(|a, b| a.ball.radius.total_cmp(&b.ball.radius)) else {
-            return Ok(());
-        };
-        for pocket in &self.table.pockets {
-            // Between the noses of its throat, and inside the wall.
-            let noses = self.table.cushions.iter();
-            let throat = noses
-                .map(|nose| nose.nearest(pocket.center).0)
-                .fold(f64::INFINITY, f64::min);
-            let most = throat.min(pocket.radius - rim.edge);
-            if largest.ball.radius > most {
-                return Err(SceneError::TooLargeForPocket {
-                    ball: largest.name.clone(),
-                    radius: largest.ball.radius,
-                    pocket: pocket.name.clone(),
-                    most,
-                });
-            }
-        }
-        Ok(())
-    }
-
-    /// No two balls overlap. The balls are swept along x, so that a crowd costs little more than its neighbours; the
-    /// pair that is named is the first in scene order.
-    fn check_overlaps(&self) -> Result<(), SceneError> {
-        let mut swept: Vec<(f64, usize)> = (0..)
-            .zip(&self.balls)
-            .filter(|(_, ball)| in_play(ball))
-            .map(|(i, ball)| (ball.state.position.x, i))
-            .collect();
-        swept.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let largest = self
-            .balls
-            .iter()
-            .map(|ball| ball.ball.radius)
-            .fold(0.0, f64::max);
-        let mut worst: Option<(usize, usize, f64)> = None;
-        for (k, &(x, i)) in swept.iter().enumerate() {
-            let first = &self.balls[i];
-            let reach = first.ball.radius + largest;
-            for &(_, j) in swept[k + 1..]
-                .iter()
-                .take_while(|(other, _)| other - x < reach)
-            {
-                let second = &self.balls[j];
-                let distance = (first.state.position - second.state.position).length();
-                let overlap = first.ball.radius + second.ball.radius - distance;
-                let pair = (i.max(j), i.min(j), overlap);
-                let sooner = worst.is_none_or(|(late, early, _)| (pair.0, pair.1) < (late, early));
-                if overlap > OVERLAP_TOLERANCE && sooner {
-                    worst = Some(pair);
-                }
-            }
-        }
-        match worst {
-            Some((late, early, overlap)) => Err(SceneError::Overlap {
-                first: self.balls[early].name.clone(),
-                second: self.balls[late].name.clone(),
-                overlap,
-            }),
-            None => Ok(()),
-        }
-    }
 }
 
-fn in_play(ball: &SceneBall) -> bool {
+pub(super) fn in_play(ball: &SceneBall) -> bool {
     ball.state.motion.in_play()
 }

@@ -126,6 +126,16 @@ pub enum SceneError {
         /// Distance from the edge of the hole, m.
         overlap: f64,
     },
+    /// A wedged ball lies inside the edge of a pocket.
+    #[error("balls: `{ball}` is inside the edge of pocket `{pocket}` by {overlap} m")]
+    InsidePocket {
+        /// The ball.
+        ball: String,
+        /// The pocket.
+        pocket: String,
+        /// Depth in m.
+        overlap: f64,
+    },
     /// A ball is not on the slate.
     #[error(
         "balls: `{ball}`: position.y is {height} m, a ball on the slate has y = radius = {radius} m"

@@ -2,11 +2,12 @@
 
 mod check;
 mod error;
+mod places;
 mod rack;
 mod range;
 
-pub use check::OVERLAP_TOLERANCE;
 pub use error::SceneError;
+pub use places::OVERLAP_TOLERANCE;
 pub use rack::{COLOURS, Rack, colour_spot};
 pub use range::{check_parameter, within};
 

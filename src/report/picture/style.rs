@@ -49,7 +49,9 @@ fn of_motion(motion: Motion) -> Option<(&'static str, &'static str)> {
         Motion::Airborne => Some(("#f08bfb", "flies")),
         Motion::Gliding => Some(("#d5dae2", "glides")),
         Motion::Tipping => Some(("#ff6b6b", "tips")),
-        Motion::Rest | Motion::Spinning | Motion::Pocketed | Motion::OffTable => None,
+        Motion::Rest | Motion::Spinning | Motion::Wedged | Motion::Pocketed | Motion::OffTable => {
+            None
+        }
     }
 }
 

@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use crate::physics::laws::cluster::{
-    Against, Blow, CONTACT_TIME, Cluster, LEAN, Member, Other, TOUCH, Touching, leans,
+    Against, Blow, CONTACT_TIME, Cluster, How, LEAN, Member, Other, TOUCH, Touching, leans,
     leans_inside, reach_of, touches, touches_inside,
 };
 use crate::physics::record::{Event, EventKind, Participant};
@@ -16,7 +16,7 @@ use crate::sim::stepped::resolve::BOUNCES;
 /// What happened at one moment; its lists are kept from impact to impact.
 #[derive(Debug, Default)]
 pub(super) struct Impact {
-    cluster: Cluster,
+    pub(super) cluster: Cluster,
     near: Vec<usize>,
     /// The events of this moment.
     pub events: Vec<Event>,
@@ -78,7 +78,7 @@ impl Impact {
         self.resolve(bodies, grid, playfield, (Blow::Stroke, 0.0, Kind::Change));
     }
 
-    fn join(&mut self, bodies: &Bodies, ball: usize, time: f64) -> usize {
+    pub(super) fn join(&mut self, bodies: &Bodies, ball: usize, time: f64) -> usize {
         let body = &bodies.all[ball];
         self.cluster.join(ball, body.ball, body.at(time))
     }
@@ -97,8 +97,8 @@ impl Impact {
     ) {
         let (touched, now) = (&bodies.touched, bodies.start + time);
         let age = |ball: usize, other: Other| now - touched[ball].last(other);
-        let squeezed = self.cluster.is_squeezed(blow, age);
-        self.gather(bodies, grid, playfield, (time, kind, squeezed));
+        let how = self.cluster.how(blow, age);
+        self.gather(bodies, grid, playfield, (time, kind, how));
         for contact in &mut self.cluster.contacts {
             let ball = self.cluster.members[contact.first].ball;
             let other = contact.against.member();
@@ -125,24 +125,38 @@ impl Impact {
                 self.report(bodies, &contact, now);
             }
         }
+        let met = self.cluster.members[0].ball;
+        let (hold, jammed) = (self.cluster.may_hold(), self.cluster.is_jammed());
+        for ball in self.cluster.dislodged().collect::<Vec<_>>() {
+            self.let_go(bodies, grid, playfield, (ball, time));
+        }
+        if hold {
+            self.hold(bodies, grid, playfield, (met, time, jammed));
+        }
     }
 
-    /// Adds everything that touches the members, and what touches that; with `squeezed` also what they lean on.
-    fn gather(
+    /// Adds everything that touches the members, and what touches that; also what they lean on, or of those off the slate all
+    /// that is close.
+    pub(super) fn gather(
         &mut self,
         bodies: &Bodies,
         grid: &Grid,
         playfield: &Playfield,
-        (time, kind, squeezed): (f64, Kind, bool),
+        (time, kind, how): (f64, Kind, How),
     ) {
         let (laws, table) = (&playfield.laws, &playfield.table);
+        let within = if how == How::Close { LEAN } else { TOUCH };
         let mut place = 0;
         while place < self.cluster.members.len() {
             let Member { ball, body, state } = self.cluster.members[place];
+            if how == How::Close && !state.motion.flies() {
+                place += 1;
+                continue;
+            }
             self.near.clear();
             grid.neighbours(bodies, ball, |other| {
                 let there = &bodies.all[other];
-                let reach = body.radius + there.ball.radius + TOUCH;
+                let reach = body.radius + there.ball.radius + within;
                 let offset = there.piece.position(time - there.since) - state.position;
                 if there.is_in_play() && offset.length_squared() <= reach * reach {
                     self.near.push(other);
@@ -162,7 +176,9 @@ impl Impact {
             let reach = reach_of(table, &body, &state);
             grid.cushions(table, &bodies.all[ball].cells, |cushion| {
                 let met = place == 0 && kind == Kind::Cushion(cushion);
-                if !met && touches(&table.cushions[cushion], point, reach) {
+                let line = &table.cushions[cushion];
+                let close = how == How::Close && leans(line, point, reach);
+                if !met && (close || touches(line, point, reach)) {
                     self.near.push(cushion);
                 }
             });
@@ -172,8 +188,8 @@ impl Impact {
                 let cushion = self.near[index];
                 self.cluster.touch_cushion(laws, table, place, cushion);
             }
-            self.gather_inside(bodies, grid, playfield, (place, kind));
-            if squeezed {
+            self.gather_inside(bodies, grid, playfield, (place, kind, how));
+            if how == How::Leaning {
                 self.gather_leaning(bodies, playfield, place, (time, kind));
             }
             place += 1;
@@ -186,7 +202,7 @@ impl Impact {
         bodies: &Bodies,
         grid: &Grid,
         playfield: &Playfield,
-        (place, kind): (usize, Kind),
+        (place, kind, how): (usize, Kind, How),
     ) {
         let (laws, table) = (&playfield.laws, &playfield.table);
         let Member { ball, body, state } = self.cluster.members[place];
@@ -203,7 +219,8 @@ impl Impact {
             let pocket = self.near[index];
             for what in [Other::Rim(pocket as u32), Other::Wall(pocket as u32)] {
                 let met = place == 0 && kind.other() == Some(what);
-                if !met && touches_inside(laws, table, (&body, &state), what) {
+                let close = how == How::Close && leans_inside(laws, table, (&body, &state), what);
+                if !met && (close || touches_inside(laws, table, (&body, &state), what)) {
                     self.touch_inside(playfield, place, what);
                 }
             }

@@ -24,6 +24,7 @@ mod movement;
 mod resolve;
 #[cfg(test)]
 mod tests;
+mod wedged;
 
 pub use bodies::Bodies;
 pub use grid::Grid;

@@ -39,10 +39,15 @@ pub(super) fn resolve(
     mut impact: Local<Impact>,
 ) {
     let struck = struck.read().last().map(|struck| struck.0.first.ball);
-    let mut push = struck.filter(|_| bodies.locate && bodies.start == 0.0);
+    let begins = bodies.locate && bodies.start == 0.0;
+    let mut push = struck.filter(|_| begins);
+    let mut loose = begins.then_some(());
     loop {
         impact.clear();
-        let time = if let Some(index) = push.take() {
+        let time = if loose.take().is_some() {
+            impact.let_loose_go(&mut bodies, &grid, &playfield);
+            0.0
+        } else if let Some(index) = push.take() {
             if let Some(ball) = bodies.all.iter().position(|body| body.index == index) {
                 impact.push_off(&mut bodies, &grid, &playfield, ball);
             }

@@ -3,11 +3,11 @@
 mod clusters;
 mod flight;
 mod free_paths;
-
 mod impacts;
 mod live;
 mod pockets;
 mod random_shots;
+mod wedged;
 
 use glam::DVec3;
 

@@ -2,16 +2,16 @@
 //! more often. Four rules end that. A contact that closes at less than [`SLOW`] less than [`CONTACT_TIME`] after the same two
 //! touched loses nothing (the TC model of Luding et al., Granular Matter 1 (1998) 113); a contact that is pressed
 //! together parts fast enough not to close again within a [`CONTACT_TIME`]; a ball that is squeezed between others is settled
-//! together with all that it leans on ([`Cluster::is_squeezed`]); and where it would close again sooner all the
+//! together with all that it leans on ([`Cluster::how`]); and where it would close again sooner all the
 //! same, without force and by next to nothing, as of a ball between two others that leave it no room, it is let wait
-//! ([`put_off`]). So two that rest against each other touch once every [`CONTACT_TIME`] at most, with gaps of some micrometres.
+//! ([`put_off`]). What nothing lets move at all comes to rest (see [`Cluster::hold`]). So two that rest against each other touch once every [`CONTACT_TIME`] at most, with gaps of some micrometres.
 
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 use crate::physics::ball::{Motion, State};
 use crate::physics::laws::Laws;
-use crate::physics::laws::cluster::{Against, Blow, Cluster, Member, PART, STILL, Touching};
+use crate::physics::laws::cluster::{Against, Blow, Cluster, How, Member, PART, STILL, Touching};
 use crate::physics::table::Table;
 
 /// Two contacts of the same two within this time in s are one lasting contact. Cushions hold a ball for about 8 ms
@@ -122,10 +122,19 @@ pub fn put_off(wait: f64, age: f64, overlap: impl Fn(f64) -> (f64, f64)) -> f64 
 }
 
 impl Cluster {
-    /// Whether what met is squeezed: a light ball between a heavy one that presses and a cushion would rattle in a gap of
-    /// some nanometres. All that leans on each other is then to be gathered, and settles without a rebound.
+    /// What is to be gathered around what met: all that leans on each other, if it is squeezed.
     #[must_use]
-    pub fn is_squeezed(&self, blow: Blow, ages: impl Fn(usize, Other) -> f64) -> bool {
+    pub fn how(&self, blow: Blow, ages: impl Fn(usize, Other) -> f64) -> How {
+        if self.is_squeezed(blow, ages) {
+            How::Leaning
+        } else {
+            How::Touching
+        }
+    }
+
+    /// Whether what met is squeezed: a light ball between a heavy one that presses and a cushion would rattle in a gap of
+    /// some nanometres. All that leans on each other settles then without a rebound.
+    fn is_squeezed(&self, blow: Blow, ages: impl Fn(usize, Other) -> f64) -> bool {
         self.contacts.first().is_some_and(|contact| {
             let age = ages(self.members[contact.first].ball, self.other(contact));
             blow == Blow::Impact && age < SQUEEZED && self.closing(contact) < SLOW
@@ -146,6 +155,11 @@ impl Cluster {
         self.before
             .extend(self.members.iter().map(|member| member.state));
         self.lasting.clear();
+        self.firm.clear();
+        self.jammed = false;
+        if blow == Blow::Impact {
+            self.firm();
+        }
         let rebound = if self.is_squeezed(blow, &ages) {
             0.0
         } else {
@@ -179,11 +193,15 @@ impl Cluster {
                     break;
                 }
             }
+            let mut pairs = self.contacts.iter().zip(&parting);
+            self.jammed = pairs
+                .any(|(contact, parting)| *parting > 0.0 && self.closing(contact) > -0.5 * parting);
             self.parting = parting;
             if self.hold_energy(before) {
                 self.classify(laws, table);
             }
         }
+        self.loosen();
     }
 
     /// Where a pocket turns a fast ball, what leans on that ball is in the way, and to part from both can take far more speed

@@ -5,10 +5,13 @@ mod friction;
 mod lasting;
 mod smith_2012;
 mod touching;
+mod wedged;
 
 pub use lasting::{CONTACT_TIME, LEAN, Other, SLOW, Touched, put_off};
 pub use smith_2012::{Cluster, ROUNDS};
-pub use touching::{DEEP, Inside, inside, leans, leans_inside, reach_of, touches, touches_inside};
+pub use touching::{
+    DEEP, How, Inside, inside, leans, leans_inside, reach_of, touches, touches_inside,
+};
 
 use glam::DVec3;
 

@@ -38,6 +38,10 @@ pub struct Cluster {
     pub before: Vec<State>,
     pub(super) lasting: Vec<bool>,
     pub(super) parting: Vec<f64>,
+    pub(super) firm: Vec<(usize, f64)>,
+    pub(super) held: Vec<bool>,
+    pub(super) jammed: bool,
+    borne: bool,
     pub(super) system: Complementarity,
     active: Vec<usize>,
     group: Vec<usize>,
@@ -97,7 +101,9 @@ impl Cluster {
     pub fn settle(&mut self, laws: &Laws, parting: &[f64]) {
         self.component.clear();
         self.component.extend(0..self.contacts.len());
+        self.borne = !parting.is_empty();
         self.reflect(laws, parting, true, false);
+        self.borne = false;
     }
 
     /// One round over the active contacts, group by group of contacts that share balls.
@@ -275,12 +281,14 @@ impl Cluster {
             self.system.closing[i] = self.closing(&a) + parting;
             for j in 0..n {
                 let b = self.contacts[self.component[j]];
-                let along = a.normal.dot(b.normal);
                 let mut entry = 0.0;
                 for (ball_a, sign_a) in ends(&a) {
                     for (ball_b, sign_b) in ends(&b) {
                         if ball_a == ball_b {
-                            entry += sign_a * sign_b * along / self.members[ball_a].body.mass;
+                            let along = self
+                                .push_of(&a, ball_a, sign_a)
+                                .dot(self.push_of(&b, ball_b, sign_b));
+                            entry += along / self.members[ball_a].body.mass;
                         }
                     }
                 }
@@ -291,8 +299,20 @@ impl Cluster {
 
     fn push(&mut self, contact: &Touching, impulse: f64) {
         for (ball, sign) in ends(contact) {
+            let way = self.push_of(contact, ball, sign);
             let member = &mut self.members[ball];
-            member.state.velocity += sign * impulse / member.body.mass * contact.normal;
+            member.state.velocity += impulse / member.body.mass * way;
+        }
+    }
+
+    /// Where a unit impulse of a contact moves one of its balls of mass 1. Of one on the slate that lasting contacts press
+    /// down the slate takes up that part at the same moment; of one that is struck it answers afterwards.
+    fn push_of(&self, contact: &Touching, ball: usize, sign: f64) -> DVec3 {
+        let way = sign * contact.normal;
+        if self.borne && way.y < 0.0 && !self.members[ball].state.motion.flies() {
+            DVec3::new(way.x, 0.0, way.z)
+        } else {
+            way
         }
     }
 

@@ -9,6 +9,17 @@ use crate::physics::laws::cluster::{Against, Cluster, LEAN, Member, Other, TOUCH
 use crate::physics::laws::pocket::{PocketLaw, Rim};
 use crate::physics::table::{Cushion, Nose, Table};
 
+/// What belongs to a cluster.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum How {
+    /// What touches.
+    Touching,
+    /// And what touched less than a contact time ago and is still within [`LEAN`].
+    Leaning,
+    /// All within [`LEAN`] of what is off the slate, whether it has touched or not.
+    Close,
+}
+
 /// Overlap in m at an impact that is beyond rounding.
 pub const DEEP: f64 = 1e-6;
 

@@ -14,7 +14,7 @@
 
 use glam::DVec3;
 
-use crate::physics::ball::{Ball, State};
+use crate::physics::ball::{Ball, Motion, State};
 use crate::physics::cue::{Cue, Shot};
 use crate::physics::laws::slate::SlateLaw;
 use crate::physics::laws::source::Source;
@@ -71,8 +71,17 @@ pub fn strike(cue: &Cue, slate: &SlateLaw, ball: &Ball, state: &State, shot: &Sh
         angular_velocity: state.angular_velocity + angular_velocity,
         ..*state
     };
+    let state = if state.motion.flies() {
+        // No slate is under it.
+        State {
+            motion: Motion::Airborne,
+            ..struck
+        }
+    } else {
+        slate.land(ball, &struck)
+    };
     Struck {
-        state: slate.land(ball, &struck),
+        state,
         impulse,
         miscue,
         squirt,

@@ -95,6 +95,10 @@ const LIFT: f64 = 1e-7;
 
 pub(super) fn classify(ball: &Ball, mut state: State) -> State {
     if state.motion.flies() {
+        let moves = state.velocity != DVec3::ZERO || state.angular_velocity != DVec3::ZERO;
+        if state.motion == Motion::Wedged && moves {
+            state.motion = Motion::Airborne;
+        }
         return state;
     }
     if state.velocity.y > 0.0 || state.position.y > ball.radius + LIFT {
@@ -173,7 +177,12 @@ pub(super) fn piece(cloth: &Cloth, ball: &Ball, state: &State) -> Piece {
             piece.acceleration = -cloth.gravity * DVec3::Y;
             piece.spin_deceleration = 0.0;
         }
-        Motion::Rest | Motion::Gliding | Motion::Tipping | Motion::Pocketed | Motion::OffTable => {
+        Motion::Rest
+        | Motion::Gliding
+        | Motion::Tipping
+        | Motion::Wedged
+        | Motion::Pocketed
+        | Motion::OffTable => {
             piece.spin_deceleration = 0.0;
         }
     }

@@ -96,6 +96,7 @@ impl Piece {
             | Motion::Gliding
             | Motion::Airborne
             | Motion::Tipping
+            | Motion::Wedged
             | Motion::Pocketed
             | Motion::OffTable => {}
         }

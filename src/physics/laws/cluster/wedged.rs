@@ -1,0 +1,140 @@
+//! Balls that nothing lets move: on the edge of a pocket and between its noses or its liner, on each other. A ball there would
+//! bounce between them without end, and where the normals of its contacts span all directions no speed parts it from all of
+//! them. So a slow one that its weight does not move comes to rest ([`Motion::Wedged`]), until something dislodges it.
+
+use crate::physics::ball::Motion;
+use crate::physics::laws::Laws;
+use crate::physics::laws::cluster::{Against, CONTACT_TIME, Cluster, Member, SLOW};
+
+/// Speed in m/s, of the centre and of the surface, up to which a ball that its weight does not move comes to rest: it would
+/// rise by 5 µm.
+const CALM: f64 = 2.0 * SLOW;
+
+/// Share of the speed of a free fall up to which a ball is not moved: a slope of a millionth.
+const MOVED: f64 = 1e-6;
+
+/// How many times heavier a wedged ball is to what touches it slowly.
+const FIRM: f64 = 1e9;
+
+impl Cluster {
+    /// Keeps wedged balls in their places where what met is slow: it leans on them as on a wall. Whether it dislodges them by
+    /// its weight is for [`Self::hold`] to say.
+    pub(super) fn firm(&mut self) {
+        self.firm.clear();
+        let slow = self.contacts.first().is_some_and(|contact| {
+            let closing = self.closing(contact);
+            closing < SLOW
+        });
+        if !slow {
+            return;
+        }
+        for (place, member) in self.members.iter_mut().enumerate() {
+            if member.state.motion == Motion::Wedged {
+                self.firm.push((place, member.body.mass));
+                member.body.mass *= FIRM;
+            }
+        }
+        let firm = &self.firm;
+        let is_firm = |place: usize| firm.iter().any(|(one, _)| *one == place);
+        if !firm.is_empty() {
+            self.contacts.retain(|contact| {
+                !is_firm(contact.first) || contact.against.member().is_some_and(|two| !is_firm(two))
+            });
+        }
+    }
+
+    /// Gives firm balls their mass back: they have not moved.
+    pub(super) fn loosen(&mut self) {
+        for (place, mass) in self.firm.drain(..) {
+            let member = &mut self.members[place];
+            member.body.mass = mass;
+            member.state = self.before[place];
+        }
+    }
+
+    /// Whether a ball of what met has lasting contact in flight, so that it may be held.
+    #[must_use]
+    pub fn may_hold(&self) -> bool {
+        let flies = |place: usize| self.members[place].state.motion == Motion::Airborne;
+        let of_contact = |index: usize| {
+            let contact = &self.contacts[index];
+            flies(contact.first) || contact.against.member().is_some_and(flies)
+        };
+        self.lasting.first() == Some(&true) && of_contact(0)
+    }
+
+    /// The balls that were wedged and are so no more.
+    pub fn dislodged(&self) -> impl Iterator<Item = usize> {
+        let pairs = self.members.iter().zip(&self.before);
+        pairs
+            .filter(|(member, before)| {
+                before.motion == Motion::Wedged && member.state.motion != Motion::Wedged
+            })
+            .map(|(member, _)| member.ball)
+    }
+
+    /// Whether what touched parted from none of it, however often it tried.
+    #[must_use]
+    pub fn is_jammed(&self) -> bool {
+        self.jammed
+    }
+
+    /// Brings to rest what the contacts hold, and lets go what was wedged and is not held: all that flies, all within
+    /// [`LEAN`](super::LEAN) of each other, is among the members. States before are in [`Cluster::before`].
+    ///
+    /// Slow balls are held that a contact time of their weight alone does not move: the velocities that follow from it are
+    /// unique (see `complementarity`). What moves bears nothing, so it is asked again without it. A jam takes the spin too:
+    /// there is no limit to what presses there.
+    pub fn hold(&mut self, laws: &Laws, jammed: bool) {
+        self.before.clear();
+        self.before
+            .extend(self.members.iter().map(|member| member.state));
+        let Some(gravity) = laws.motion.gravity() else {
+            return;
+        };
+        let fall = CONTACT_TIME * gravity;
+        self.held.clear();
+        for Member { body, state, .. } in &self.members {
+            let spin = body.radius * state.angular_velocity.length();
+            let calm = state.velocity.length() <= CALM && (jammed || spin <= CALM);
+            self.held.push(state.motion.flies() && calm);
+        }
+        loop {
+            let held = &self.held;
+            self.contacts.retain(|contact| {
+                let second = match contact.against {
+                    Against::Ball { member } => held[member],
+                    Against::Cushion { .. } | Against::Rim { .. } | Against::Wall { .. } => true,
+                };
+                held[contact.first] && second
+            });
+            for (member, held) in self.members.iter_mut().zip(&self.held) {
+                if *held {
+                    member.state.velocity = -fall * glam::DVec3::Y;
+                }
+            }
+            self.settle(laws, &[]);
+            let mut again = false;
+            for (member, held) in self.members.iter().zip(&mut self.held) {
+                if *held && member.state.velocity.length() > MOVED * fall {
+                    *held = false;
+                    again = true;
+                }
+            }
+            if !again {
+                break;
+            }
+        }
+        for place in 0..self.members.len() {
+            let state = &mut self.members[place].state;
+            *state = self.before[place];
+            if self.held[place] {
+                state.velocity = glam::DVec3::ZERO;
+                state.angular_velocity = glam::DVec3::ZERO;
+                state.motion = Motion::Wedged;
+            } else if state.motion == Motion::Wedged {
+                state.motion = Motion::Airborne;
+            }
+        }
+    }
+}
