@@ -27,7 +27,9 @@ pub(super) fn plugin(app: &mut App) {
 pub(super) fn colour(motion: Motion) -> LinearRgba {
     match motion {
         Motion::Sliding => LinearRgba::new(1.0, 0.35, 0.05, 0.9),
-        Motion::Rolling | Motion::Rest | Motion::Spinning => LinearRgba::new(0.25, 0.75, 1.0, 0.9),
+        Motion::Rolling | Motion::Rest | Motion::Spinning | Motion::Wedged => {
+            LinearRgba::new(0.25, 0.75, 1.0, 0.9)
+        }
         Motion::Gliding => LinearRgba::new(0.8, 0.8, 0.8, 0.9),
         Motion::Airborne | Motion::Tipping => LinearRgba::new(1.0, 1.0, 0.3, 0.9),
         Motion::Pocketed | Motion::OffTable => LinearRgba::NONE,

@@ -1,10 +1,11 @@
 //! Contacts that last. A ball that is pressed against a cushion or another ball by the friction under it would bounce ever
-//! more often. Four rules end that. A contact that closes at less than [`SLOW`] less than [`CONTACT_TIME`] after the same two
+//! more often. Five rules end that. A contact that closes at less than [`SLOW`] less than [`CONTACT_TIME`] after the same two
 //! touched loses nothing (the TC model of Luding et al., Granular Matter 1 (1998) 113); a contact that is pressed
 //! together parts fast enough not to close again within a [`CONTACT_TIME`]; a ball that is squeezed between others is settled
-//! together with all that it leans on ([`Cluster::how`]); and where it would close again sooner all the
+//! together with all that it leans on ([`Cluster::how`]); where it would close again sooner all the
 //! same, without force and by next to nothing, as of a ball between two others that leave it no room, it is let wait
-//! ([`put_off`]). What nothing lets move at all comes to rest (see [`Cluster::hold`]). So two that rest against each other touch once every [`CONTACT_TIME`] at most, with gaps of some micrometres.
+//! ([`put_off`]); and what nothing lets move comes to rest ([`Cluster::hold`]). So two that rest against each other touch once
+//! every [`CONTACT_TIME`] at most, with gaps of some micrometres.
 
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
