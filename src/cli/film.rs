@@ -194,12 +194,14 @@ mod drawing {
 
     use std::io;
 
+    use image::{ExtendedColorType, ImageFormat, write_buffer_with_format};
     use indicatif::{ProgressBar, ProgressStyle};
 
     use super::{CameraMode, FilmOptions, Work};
     use crate::cli::CommandError;
     use crate::game::settings::Quality;
     use crate::game::view::Beside;
+    use crate::kept;
     use crate::physics::record::Record;
     use crate::scenarios::file::Scenario;
     use crate::window::film::{Film, FilmError};
@@ -257,8 +259,18 @@ mod drawing {
                 .chunks_exact(4)
                 .flat_map(|pixel| [pixel[0], pixel[1], pixel[2]])
                 .collect();
-            image::save_buffer(&path, &colours, width, height, image::ColorType::Rgb8)
-                .map_err(|error| io::Error::other(format!("{}: {error}", path.display())))?;
+            let (mut packed, colour) = (io::Cursor::new(Vec::new()), ExtendedColorType::Rgb8);
+            write_buffer_with_format(
+                &mut packed,
+                &colours,
+                width,
+                height,
+                colour,
+                ImageFormat::Png,
+            )
+            .map_err(io::Error::other)
+            .and_then(|()| kept::write(&path, packed.get_ref()))
+            .map_err(|error| io::Error::other(format!("{}: {error}", path.display())))?;
             bar.set_position(u64::from(number));
             Ok(())
         });

@@ -29,6 +29,7 @@ use std::time::Instant;
 use clap::{Parser, Subcommand};
 use thiserror::Error;
 
+use crate::kept;
 use crate::physics::scene::SceneError;
 use crate::report::record_file::RecordFileError;
 use crate::scenarios::file::FileError;
@@ -275,9 +276,9 @@ fn to_stdout(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(),
     }
 }
 
-/// Writes a whole file.
+/// Writes a whole file, or none: what was there before is lost only to what is whole.
 fn to_file(path: &std::path::Path, text: &[u8]) -> Result<(), CommandError> {
-    std::fs::write(path, text).map_err(|source| CommandError::Write {
+    kept::write(path, text).map_err(|source| CommandError::Write {
         to: path.display().to_string(),
         source,
     })

@@ -32,6 +32,10 @@ use bevy::prelude::*;
 /// The game without pixels.
 pub struct GamePlugin;
 
+/// Whatever must be kept is kept before the program ends. Runs in [`Last`].
+#[derive(SystemSet, Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Keeping;
+
 impl Plugin for GamePlugin {
     fn build(&self, app: &mut App) {
         app.add_plugins((

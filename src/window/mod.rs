@@ -7,6 +7,7 @@ pub mod action;
 mod camera;
 mod crowd;
 mod display;
+mod ending;
 mod hud;
 mod input;
 pub mod language;
@@ -27,7 +28,7 @@ pub use preset::Source;
 pub use render::quality::RenderQuality;
 pub use scenario_ui::{Heat, OnTable, OwnScenes, Stage, Studio, Turn, seats};
 
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use bevy::app::PluginGroupBuilder;
 use bevy::asset::AssetPlugin;
@@ -133,8 +134,17 @@ impl Plugin for WindowPlugin {
                 sound::plugin,
                 photo::plugin,
                 preset::plugin,
-            ));
+            ))
+            .add_plugins(ending::plugin);
     }
+}
+
+/// What a frame counts at most for whoever looks on or holds a key: a machine that slept had nobody at it.
+const LONGEST_FRAME: Duration = Duration::from_millis(200);
+
+/// How long this frame was for a person.
+fn felt(time: &Time<Real>) -> Duration {
+    time.delta().min(LONGEST_FRAME)
 }
 
 /// Whether the table has keys, pointer and panels: no menu is open and no photo is being taken.
@@ -204,6 +214,7 @@ pub fn play(
     if let Some(source) = source {
         preset::begin(app.world_mut(), source);
     }
+    ending::listen(&mut app);
     if let Some(begun) = timed {
         start::time(&mut app, begun);
     }

@@ -13,6 +13,7 @@ mod crowds;
 mod cue_path;
 mod equip;
 mod exact;
+mod faults;
 #[cfg(feature = "window")]
 mod film;
 mod frames;

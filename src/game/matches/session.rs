@@ -54,6 +54,12 @@ impl Session {
         }
     }
 
+    /// Saves the match as it is, after that failed, and waits for it.
+    pub fn save_again(&self) {
+        self.save();
+        self.finish_saving();
+    }
+
     fn save(&self) {
         if let Some(saver) = &self.saver {
             saver.save(&self.game);

@@ -6,27 +6,32 @@ use std::time::Duration;
 use bevy::prelude::*;
 
 use super::{Settings, file};
+use crate::game::Keeping;
 use crate::game::equip::Told;
 use crate::game::saying::Saying;
 
 /// How long settings are left alone before they are saved: a slider that is dragged is one change.
 const SETTLED: Duration = Duration::from_millis(500);
 
+/// After how long it is tried again to save settings that could not be saved.
+const PATIENCE: Duration = Duration::from_secs(5);
+
 /// The file in which the settings are kept. Without one they last as long as the program runs.
 #[derive(Resource, Clone, Debug, Default, PartialEq, Eq)]
 pub struct SettingsFile(pub Option<PathBuf>);
 
-/// What the file says, and since when the settings say something else.
+/// What the file says, since when the settings say something else, and why that could not be saved when it was tried last.
 #[derive(Resource, Debug, Default)]
 struct Saved {
     settings: Option<Settings>,
     changed: Option<Duration>,
+    unsaved: Option<String>,
 }
 
 pub(super) fn plugin(app: &mut App) {
     app.init_resource::<Saved>()
         .add_systems(PreStartup, load)
-        .add_systems(Last, save);
+        .add_systems(Last, save.in_set(Keeping));
 }
 
 fn load(
@@ -94,17 +99,30 @@ fn save(
     if settings.is_changed() {
         let differs = saved.settings.as_ref() != Some(&*settings);
         saved.changed = differs.then(|| time.elapsed());
+        if !differs {
+            saved.unsaved = None;
+        }
     }
     let (Some(since), Some(path)) = (saved.changed, &file.0) else {
         return;
     };
-    if !ends && time.elapsed() < since + SETTLED {
+    let wait = match saved.unsaved {
+        Some(_) => PATIENCE,
+        None => SETTLED,
+    };
+    if !ends && time.elapsed() < since + wait {
         return;
     }
-    saved.changed = None;
-    saved.settings = Some(settings.clone());
-    if let Err(error) = file::save(path, &settings) {
-        let (file, error) = (path.display().to_string(), error.to_string());
+    let Err(error) = file::save(path, &settings) else {
+        saved.changed = None;
+        saved.settings = Some(settings.clone());
+        saved.unsaved = None;
+        return;
+    };
+    saved.changed = Some(time.elapsed());
+    let (file, error) = (path.display().to_string(), error.to_string());
+    // Told once, and once more when nothing can be done about it any more.
+    if ends || saved.unsaved.as_ref() != Some(&error) {
         commands.write_message(Told {
             text: Saying::new(
                 "notice-settings-unsaved",
@@ -114,4 +132,5 @@ fn save(
             is_failure: true,
         });
     }
+    saved.unsaved = Some(error);
 }

@@ -14,6 +14,7 @@ use std::path::PathBuf;
 
 use bevy::prelude::*;
 
+use crate::game::Keeping;
 use crate::game::matches::store::StoreError;
 use crate::game::matches::{
     Hindrance, Match, Mind, Phase, Refused, SavedError, Session, Setup, Store,
@@ -251,9 +252,10 @@ pub(super) fn plugin(app: &mut App) {
         )
         .add_systems(
             Last,
-            // It changes nothing: whatever runs beside it.
+            // It changes nothing on the table: whatever runs beside it.
             saves::finish
                 .run_if(on_message::<AppExit>)
+                .in_set(Keeping)
                 .ambiguous_with_all(),
         );
 }

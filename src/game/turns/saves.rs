@@ -37,20 +37,32 @@ fn tell_of(outcome: Outcome, unsaved: &mut Option<String>, news: &mut MessageWri
     }
 }
 
-/// Lets go of the match. Its last save is waited for, so that nothing that went wrong with it stays untold.
-pub(super) fn let_go(turns: &mut Turns, news: &mut MessageWriter<TurnNews>) {
-    if let Some(session) = &turns.session {
-        session.finish_saving();
+/// Waits for the last save. What could not be saved is tried once more, and told of again if that fails too.
+fn wait(turns: &mut Turns, news: &mut MessageWriter<TurnNews>) {
+    let Some(session) = &turns.session else {
+        return;
+    };
+    session.finish_saving();
+    for outcome in session.saves() {
+        tell_of(outcome, &mut turns.unsaved, news);
+    }
+    if turns.unsaved.is_some() {
+        session.save_again();
+        // Whatever comes of that is told.
+        turns.unsaved = Some(String::new());
         for outcome in session.saves() {
             tell_of(outcome, &mut turns.unsaved, news);
         }
     }
+}
+
+/// Lets go of the match. Its last save is waited for, so that nothing that went wrong with it stays untold.
+pub(super) fn let_go(turns: &mut Turns, news: &mut MessageWriter<TurnNews>) {
+    wait(turns, news);
     *turns = Turns::default();
 }
 
 /// The program ends when the match is saved.
-pub(super) fn finish(turns: Res<Turns>) {
-    if let Some(session) = &turns.session {
-        session.finish_saving();
-    }
+pub(super) fn finish(mut turns: ResMut<Turns>, mut news: MessageWriter<TurnNews>) {
+    wait(turns.bypass_change_detection(), &mut news);
 }

@@ -10,13 +10,12 @@ use crate::game::saying::Saying;
 use crate::physics::record::EventKind;
 use crate::sim::messages::{Failed, Struck};
 use crate::sim::playfield::Playfield;
+use crate::window::felt;
 use crate::window::language::Language;
 use crate::window::page::panel_id;
 
 /// How long a notice stays.
 const STAY: Duration = Duration::from_secs(8);
-/// What a frame counts at most while a notice stays.
-const LONGEST: Duration = Duration::from_millis(200);
 /// Greatest width of a notice in points.
 const WIDTH: f32 = 480.0;
 /// Notices shown at once.
@@ -65,7 +64,7 @@ pub(super) fn listen(
     time: Res<Time<Real>>,
     mut notices: ResMut<Notices>,
 ) {
-    let now = notices.read + time.delta().min(LONGEST);
+    let now = notices.read + felt(&time);
     notices.bypass_change_detection().read = now;
     for failure in failed.read() {
         let (at, reason) = (format!("{:.4}", failure.time), failure.reason.clone());

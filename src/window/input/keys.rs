@@ -11,6 +11,7 @@ use crate::game::practice::Practice;
 use crate::game::target;
 use crate::sim::playfield::{BallQuery, Playfield, snapshot};
 use crate::window::action::Action;
+use crate::window::felt;
 
 /// How long a key is held before it goes on by itself.
 const PAUSE: Duration = Duration::from_millis(300);
@@ -101,7 +102,7 @@ fn steps(
     // A stick goes on at once, and the finer the less it is moved.
     let moved = f64::from(actions.button_value(&action));
     if actions.pressed(&action) && moved < 1.0 {
-        return RATE * moved * moved * time.delta_secs_f64();
+        return RATE * moved * moved * felt(time).as_secs_f64();
     }
     if actions.just_pressed(&action) {
         *held = Some((action, time.elapsed()));
@@ -113,6 +114,6 @@ fn steps(
     match held {
         Some((which, _)) if *which != action => 0.0,
         Some((_, since)) if time.elapsed() < *since + PAUSE => 0.0,
-        _ => RATE * time.delta_secs_f64(),
+        _ => RATE * felt(time).as_secs_f64(),
     }
 }

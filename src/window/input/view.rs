@@ -7,6 +7,7 @@ use crate::game::settings::Settings;
 use crate::game::view::{Beside, CameraInput, CameraMode, SceneCameras, View};
 use crate::sim::clock::Clock;
 use crate::window::action::Action;
+use crate::window::felt;
 
 /// How much faster than life a held key plays.
 const FAST: f32 = 8.0;
@@ -76,7 +77,7 @@ pub(super) fn switch(
         way(Action::LookUp, Action::LookDown),
     );
     if turn != Vec2::ZERO {
-        let seconds = time.delta_secs();
+        let seconds = felt(&time).as_secs_f32();
         camera.write(if actions.pressed(&Action::Fine) {
             CameraInput {
                 pan: PAN_RATE * seconds * turn,
@@ -92,7 +93,7 @@ pub(super) fn switch(
     for (action, sign) in [(Action::ZoomIn, 1.0), (Action::ZoomOut, -1.0)] {
         if actions.pressed(&action) {
             camera.write(CameraInput {
-                zoom: sign * ZOOM_RATE * time.delta_secs(),
+                zoom: sign * ZOOM_RATE * felt(&time).as_secs_f32(),
                 ..default()
             });
         }

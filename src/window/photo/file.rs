@@ -1,10 +1,12 @@
 //! Where photos are kept: as PNG files in the folder that the platform has for pictures, one number after the other.
 
 use std::fs;
-use std::io::{self, Cursor, Write};
+use std::io::{self, Cursor};
 use std::path::{Path, PathBuf};
 
 use thiserror::Error;
+
+use crate::kept;
 
 /// Why a photo was not kept.
 #[derive(Debug, Error)]
@@ -57,27 +59,8 @@ pub(super) fn keep(
         image::ExtendedColorType::Rgb8,
         image::ImageFormat::Png,
     )?;
-    fs::create_dir_all(folder).map_err(failed)?;
-    let mut aside = blank(folder).map_err(failed)?;
-    aside.write_all(packed.get_ref()).map_err(failed)?;
-    aside.as_file().sync_all().map_err(failed)?;
-    for number in next(folder).. {
-        let name = folder.join(format!("masse-{number:04}.png"));
-        match aside.persist_noclobber(&name) {
-            Ok(_) => return Ok(name),
-            Err(taken) if taken.error.kind() == io::ErrorKind::AlreadyExists => aside = taken.file,
-            Err(other) => return Err(failed(other.error)),
-        }
-    }
-    Err(failed(io::ErrorKind::AlreadyExists.into()))
-}
-
-/// An empty file that others may read as far as the user lets them: temporary files by themselves are for one alone.
-fn blank(folder: &Path) -> io::Result<tempfile::NamedTempFile> {
-    let mut builder = tempfile::Builder::new();
-    #[cfg(unix)]
-    let builder = builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    builder.tempfile_in(folder)
+    let name = |number| format!("masse-{number:04}.png");
+    kept::add(folder, next(folder), name, packed.get_ref()).map_err(failed)
 }
 
 /// The number after the largest that is there.

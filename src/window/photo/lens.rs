@@ -11,6 +11,7 @@ use crate::game::view::FirstEye;
 use crate::sim::components::Radius;
 use crate::window::RenderQuality;
 use crate::window::action::Action;
+use crate::window::felt;
 use crate::window::photo::Photo;
 use crate::window::photo::shoot::Film;
 
@@ -88,7 +89,7 @@ pub(super) fn steer(
     } else {
         1.0
     };
-    let step = fine * time.delta_secs().min(0.25);
+    let step = fine * felt(&time).as_secs_f32();
     lens.yaw -= TURN * step * way(Action::AimLeft, Action::AimRight);
     lens.yaw -= TURN * step * way(Action::LookLeft, Action::LookRight);
     lens.pitch += TURN * step * way(Action::PowerDown, Action::PowerUp);

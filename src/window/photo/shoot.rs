@@ -2,6 +2,7 @@
 
 use std::sync::Mutex;
 use std::sync::mpsc::{Receiver, Sender, channel};
+use std::time::Duration;
 
 use bevy::camera::RenderTarget;
 use bevy::prelude::*;
@@ -12,6 +13,9 @@ use bevy::tasks::IoTaskPool;
 use bevy::window::PrimaryWindow;
 use leafwing_input_manager::prelude::ActionState;
 
+use crate::game::Keeping;
+use crate::game::equip::Told;
+use crate::game::saying::Saying;
 use crate::game::view::FirstEye;
 use crate::window::RenderQuality;
 use crate::window::action::Action;
@@ -20,6 +24,9 @@ use crate::window::photo::{Photo, file, lens};
 
 /// Frames after which everything is drawn.
 const FRAMES: u32 = 4;
+
+/// How long the end of the program waits for a picture that is being written.
+const LONGEST: Duration = Duration::from_secs(20);
 
 /// A picture is wanted.
 #[derive(Message, Clone, Copy, Debug)]
@@ -32,11 +39,13 @@ pub(super) struct Film {
     frames: u32,
 }
 
-/// What comes back from the task that writes the file.
+/// What comes back from the tasks that write the files.
 #[derive(Resource)]
 struct Darkroom {
     to: Sender<Result<String, String>>,
     from: Mutex<Receiver<Result<String, String>>>,
+    /// Pictures that are taken, and of which nothing has come back yet.
+    developing: usize,
 }
 
 pub(super) fn plugin(app: &mut App) {
@@ -45,10 +54,19 @@ pub(super) fn plugin(app: &mut App) {
         .insert_resource(Darkroom {
             to,
             from: Mutex::new(from),
+            developing: 0,
         })
         .add_systems(
             Update,
             (press.run_if(super::is_on), load, wait, hear).chain(),
+        )
+        .add_systems(
+            Last,
+            // It changes nothing but what is told at the end: whatever runs beside it.
+            finish
+                .run_if(on_message::<AppExit>)
+                .in_set(Keeping)
+                .ambiguous_with_all(),
         );
 }
 
@@ -125,16 +143,13 @@ fn load(
 }
 
 /// Once everything is drawn, has the picture brought back, and takes the camera away.
-fn wait(mut commands: Commands, mut films: Query<(Entity, &mut Film)>, darkroom: Res<Darkroom>) {
+fn wait(mut commands: Commands, mut films: Query<(Entity, &mut Film)>) {
     for (entity, mut film) in &mut films {
         film.frames += 1;
         if film.frames == FRAMES {
-            let to = darkroom.to.clone();
             commands
                 .spawn(Screenshot::image(film.image.clone()))
-                .observe(move |captured: On<ScreenshotCaptured>| {
-                    develop(captured.image.clone(), to.clone());
-                });
+                .observe(develop);
         }
         if film.frames > 2 * FRAMES {
             commands.entity(entity).despawn();
@@ -143,7 +158,9 @@ fn wait(mut commands: Commands, mut films: Query<(Entity, &mut Film)>, darkroom:
 }
 
 /// Writes the file, beside the game.
-fn develop(image: Image, to: Sender<Result<String, String>>) {
+fn develop(captured: On<ScreenshotCaptured>, mut darkroom: ResMut<Darkroom>) {
+    let (image, to) = (captured.image.clone(), darkroom.to.clone());
+    darkroom.developing += 1;
     IoTaskPool::get()
         .spawn(async move {
             let size = (image.width(), image.height());
@@ -159,11 +176,15 @@ fn develop(image: Image, to: Sender<Result<String, String>>) {
 }
 
 /// Tells where the picture is, or why it is not.
-fn hear(darkroom: Res<Darkroom>, language: Res<Language>, mut photo: ResMut<Photo>) {
-    let Ok(from) = darkroom.from.lock() else {
+fn hear(mut darkroom: ResMut<Darkroom>, language: Res<Language>, mut photo: ResMut<Photo>) {
+    let Darkroom {
+        from, developing, ..
+    } = darkroom.bypass_change_detection();
+    let Ok(from) = from.get_mut() else {
         return;
     };
     while let Ok(kept) = from.try_recv() {
+        *developing -= 1;
         photo.news = Some(match kept {
             Ok(file) => (
                 language.with("photo-saved", &[("file", file.into())]),
@@ -174,5 +195,28 @@ fn hear(darkroom: Res<Darkroom>, language: Res<Language>, mut photo: ResMut<Phot
                 true,
             ),
         });
+    }
+}
+
+/// The program ends when every picture that was taken is kept, or cannot be.
+fn finish(mut darkroom: ResMut<Darkroom>, mut told: MessageWriter<Told>) {
+    let Darkroom {
+        from, developing, ..
+    } = &mut *darkroom;
+    let Ok(from) = from.get_mut() else {
+        return;
+    };
+    while *developing > 0 {
+        let Ok(kept) = from.recv_timeout(LONGEST) else {
+            return;
+        };
+        *developing -= 1;
+        if let Err(reason) = kept {
+            let english = format!("The picture could not be kept: {reason}");
+            told.write(Told {
+                text: Saying::new("photo-failed", &[("reason", &reason)], english),
+                is_failure: true,
+            });
+        }
     }
 }

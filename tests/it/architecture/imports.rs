@@ -13,7 +13,10 @@ const ROOMS: [(&str, &[&str]); 7] = [
     ("scenarios", &["kept", "physics", "sim"]),
     ("report", &["kept", "physics", "sim"]),
     ("game", &["kept", "physics", "sim"]),
-    ("window", &["physics", "sim", "scenarios", "report", "game"]),
+    (
+        "window",
+        &["kept", "physics", "sim", "scenarios", "report", "game"],
+    ),
 ];
 
 /// What lies above all rooms: it may import every room, and no room may import it.
