@@ -88,7 +88,7 @@ use tournament::TournamentOptions;
         2  bad input: the message names the file, the place in it and the value; nothing is written\n  \
         3  a file cannot be written\n  \
         4  the solver could not finish the scene\n  \
-        5  `masse film`: there is nothing to draw with"
+        5  `masse film`: there is nothing to draw with; `masse`: the graphics driver failed"
 )]
 struct Cli {
     #[command(subcommand)]

@@ -75,7 +75,14 @@ pub fn is_shared(text: &str) -> bool {
 /// # Errors
 /// [`ShareError::File`] if the scene cannot be spelled.
 pub fn write(scenario: &Scenario) -> Result<String, ShareError> {
-    let text = file::write_short(scenario)?;
+    seal(&file::write_short(scenario)?)
+}
+
+/// The text of the text of a scene file, whatever that says.
+///
+/// # Errors
+/// [`ShareError::Damaged`] if it is too long.
+pub fn seal(text: &str) -> Result<String, ShareError> {
     let mut encoder = DeflateEncoder::new(Vec::new(), Compression::best());
     let packed = encoder
         .write_all(text.as_bytes())

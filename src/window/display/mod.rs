@@ -167,6 +167,8 @@ fn quietly<T>(work: impl FnOnce() -> T) -> Option<T> {
 
 #[cfg(test)]
 mod tests {
+    use bevy::render::error_handler::ErrorType;
+
     use super::*;
 
     #[test]
@@ -176,5 +178,22 @@ mod tests {
         let weak = check("Old Chip", &WgpuLimits::downlevel_webgl2_defaults());
         let said = weak.expect_err("it has no storage buffers").to_string();
         assert!(said.contains("`Old Chip` has 0 storage buffers"), "{said}");
+    }
+
+    #[test]
+    fn a_driver_that_fails_ends_the_program_with_the_code_of_nothing_to_draw_with() {
+        let mut app = App::new();
+        app.add_message::<AppExit>();
+        let error = RenderError {
+            ty: ErrorType::DeviceLost,
+            description: "it hung".to_owned(),
+            source: None,
+        };
+        let world = app.world_mut();
+        let policy = give_up(&error, world, &mut World::new());
+        assert!(matches!(policy, RenderErrorPolicy::StopRendering));
+        let mut exits = world.resource_mut::<Messages<AppExit>>();
+        let exits: Vec<AppExit> = exits.drain().collect();
+        assert_eq!(exits, [AppExit::from_code(NO_DISPLAY)]);
     }
 }

@@ -95,4 +95,25 @@ mod tests {
         assert!(lost.0.load(Ordering::Relaxed));
         assert_eq!(count.load(Ordering::Relaxed), 3);
     }
+
+    #[test]
+    fn the_player_is_told_once_that_the_device_is_gone() {
+        let mut app = App::new();
+        app.add_plugins(MinimalPlugins).add_message::<Told>();
+        let lost = Lost::default();
+        app.insert_resource(lost.clone()).add_plugins(plugin);
+        let told = |app: &mut App| {
+            app.update();
+            let told = app.world().resource::<Messages<Told>>();
+            told.iter_current_update_messages()
+                .map(|told| (told.text.key.to_string(), told.is_failure))
+                .collect::<Vec<_>>()
+        };
+        assert_eq!(told(&mut app), []);
+        lost.0.store(true, Ordering::Relaxed);
+        assert_eq!(told(&mut app), [("notice-sound-lost".to_owned(), true)]);
+        for _ in 0..5 {
+            assert_eq!(told(&mut app), []);
+        }
+    }
 }

@@ -210,7 +210,58 @@ fn character(hit: &Hit) -> (f32, usize, f32) {
 
 #[cfg(test)]
 mod tests {
+    use bevy::time::TimeUpdateStrategy;
+
     use super::*;
+    use crate::physics::ball::State;
+    use crate::physics::record::Participant;
+
+    /// Without a device nothing ever says that a sound is over.
+    #[test]
+    fn voices_are_few_and_end_whether_anybody_plays_them_or_not() {
+        let mut app = App::new();
+        app.add_plugins(MinimalPlugins)
+            .insert_resource(TimeUpdateStrategy::ManualDuration(Duration::from_millis(
+                16,
+            )))
+            .insert_resource(Assets::<AudioSource>::default())
+            .init_resource::<Sounds>()
+            .init_resource::<Settings>()
+            .add_message::<Struck>()
+            .add_message::<Touched>()
+            .add_message::<Pocketed>()
+            .add_systems(Startup, synthesise)
+            .add_systems(Update, (end, hear).chain());
+        let voices = |app: &mut App| {
+            let world = app.world_mut();
+            world.query::<&Voice>().iter(world).count()
+        };
+        app.update();
+        let lies = State::at_rest(DVec3::ZERO);
+        let ball = Participant {
+            ball: 0,
+            before: lies,
+            after: lies,
+        };
+        for frame in 0..100 {
+            for hit in 1..20_u8 {
+                app.world_mut().write_message(Touched(Event {
+                    time: f64::from(frame),
+                    kind: EventKind::BallBall,
+                    first: ball,
+                    second: None,
+                    impulse: 0.01 * f64::from(hit),
+                }));
+            }
+            app.update();
+            let heard = voices(&mut app);
+            assert!((1..=VOICES).contains(&heard), "{heard} voices");
+        }
+        for _ in 0..300 {
+            app.update();
+        }
+        assert_eq!(voices(&mut app), 0);
+    }
 
     fn of(sound: Sound, impulse: f64) -> (f32, usize, f32) {
         character(&Hit {

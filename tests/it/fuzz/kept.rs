@@ -105,6 +105,23 @@ fn damaged_shared_texts_are_refused_or_whole() {
     });
 }
 
+/// Damage within, under a sum that fits: what another program, or somebody by hand, may have put together.
+#[test]
+fn shared_texts_of_damaged_scenes_are_refused_or_whole() {
+    attack(
+        300,
+        &(select(assets("scenes")), damage()),
+        |(text, damages)| {
+            let inside = damaged(&text, &damages);
+            match share::read(&share::seal(&inside).map_err(|error| error.to_string())?) {
+                Err(error) if error.to_string().is_empty() => Err("nothing is said".to_owned()),
+                Err(_) => Ok(()),
+                Ok(scenario) => scenario.scene.check().map_err(|error| error.to_string()),
+            }
+        },
+    );
+}
+
 /// What is read can be played, judged and searched, whatever stands in it.
 #[test]
 fn damaged_scenes_that_are_read_can_be_played_and_judged() {
