@@ -55,15 +55,22 @@ pub(super) fn listen(app: &mut App) {
 #[cfg(not(unix))]
 pub(super) fn listen(_: &mut App) {}
 
-/// What went wrong at the very end.
-fn last_words(mut told: MessageReader<Told>, mut news: MessageReader<TurnNews>) {
+/// What went wrong at the very end, each once.
+fn last_words(
+    mut told: MessageReader<Told>,
+    mut news: MessageReader<TurnNews>,
+    mut said: Local<Vec<String>>,
+) {
     let unsaved = news.read().filter_map(|news| match news {
         TurnNews::NotSaved(error) => Some(format!("the match is not saved: {error}")),
         _ => None,
     });
     let failures = told.read().filter(|told| told.is_failure);
     for line in unsaved.chain(failures.map(|told| told.text.english.clone())) {
-        // Nobody listening is no error.
-        let _ = writeln!(io::stderr(), "masse: {line}");
+        if !said.contains(&line) {
+            // Nobody listening is no error.
+            let _ = writeln!(io::stderr(), "masse: {line}");
+            said.push(line);
+        }
     }
 }

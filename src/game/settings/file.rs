@@ -141,7 +141,7 @@ fn put_aside(path: &Path) -> io::Result<PathBuf> {
 pub fn save(path: &Path, settings: &Settings) -> io::Result<()> {
     let text = ron::ser::to_string_pretty(settings, ron::ser::PrettyConfig::default())
         .map_err(io::Error::other)?;
-    kept::replace(path, &format!("{text}\n"))
+    kept::replace(path, format!("{text}\n"))
 }
 
 /// Where this platform keeps the settings of a program; none if it does not say.
