@@ -106,7 +106,7 @@ mod tests {
             app.update();
             let told = app.world().resource::<Messages<Told>>();
             told.iter_current_update_messages()
-                .map(|told| (told.text.key.to_string(), told.is_failure))
+                .map(|told| (told.text.key.clone(), told.is_failure))
                 .collect::<Vec<_>>()
         };
         assert_eq!(told(&mut app), []);
