@@ -104,9 +104,9 @@ mod tests {
         app.insert_resource(lost.clone()).add_plugins(plugin);
         let told = |app: &mut App| {
             app.update();
-            let told = app.world().resource::<Messages<Told>>();
-            told.iter_current_update_messages()
-                .map(|told| (told.text.key.clone(), told.is_failure))
+            let mut told = app.world_mut().resource_mut::<Messages<Told>>();
+            told.drain()
+                .map(|told| (told.text.key, told.is_failure))
                 .collect::<Vec<_>>()
         };
         assert_eq!(told(&mut app), []);
