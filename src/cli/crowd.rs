@@ -3,6 +3,7 @@
 use std::process::ExitCode;
 
 use bevy::prelude::Messages;
+use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::json;
 
 use crate::cli::{CommandError, say, to_stdout};
@@ -21,6 +22,12 @@ pub(super) fn run(
     quiet: bool,
 ) -> Result<ExitCode, CommandError> {
     let mut app = stepping::headless_app(scene);
+    // Seconds of the scene: a crowd may take its time. Where nobody looks no bar is drawn.
+    let bar = ProgressBar::new(scene.time_limit.ceil() as u64);
+    let style = "{elapsed_precise} {bar:40} {pos} of at most {len} s, {msg}";
+    if let Ok(style) = ProgressStyle::with_template(style) {
+        bar.set_style(style);
+    }
     loop {
         stepping::step(&mut app, 1);
         let mut failures = app.world_mut().resource_mut::<Messages<Failed>>();
@@ -28,10 +35,16 @@ pub(super) fn run(
             return Err(Stopped::Stepped(failed).into());
         }
         let clock = app.world().resource::<Clock>();
+        bar.set_position(clock.time() as u64);
+        if clock.ticks.is_multiple_of(64) {
+            let awake = app.world().resource::<Census>().awake;
+            bar.set_message(format!("{awake} balls move"));
+        }
         if !clock.moving || clock.time() >= scene.time_limit {
             break;
         }
     }
+    bar.finish_and_clear();
     let (time, census) = (
         app.world().resource::<Clock>().time(),
         app.world().resource::<Census>(),

@@ -2,6 +2,7 @@
 
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
+use serde::Serialize;
 use thiserror::Error;
 
 use crate::game::players::aiming;
@@ -40,7 +41,7 @@ pub enum ContestError {
 }
 
 /// What one player did in a rack.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Tally {
     /// Strokes.
     pub shots: u32,
@@ -54,6 +55,18 @@ pub struct Tally {
     pub trials: u64,
     /// Most shots rehearsed for one stroke.
     pub most_trials: u32,
+}
+
+impl Tally {
+    /// Counts those of another rack too.
+    pub(super) fn add(&mut self, other: &Self) {
+        self.shots += other.shots;
+        self.pots += other.pots;
+        self.points += other.points;
+        self.fouls += other.fouls;
+        self.trials += other.trials;
+        self.most_trials = self.most_trials.max(other.most_trials);
+    }
 }
 
 /// How a rack went.

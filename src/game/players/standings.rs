@@ -17,18 +17,9 @@ pub struct Side {
     pub level: &'static str,
     /// Racks won.
     pub won: u32,
-    /// Strokes.
-    pub shots: u32,
-    /// Balls potted as the rules ask.
-    pub pots: u32,
-    /// Points made at the table, in games that count them.
-    pub points: u32,
-    /// Strokes against a rule.
-    pub fouls: u32,
-    /// Shots rehearsed.
-    pub trials: u64,
-    /// Most shots rehearsed for one stroke.
-    pub most_trials: u32,
+    /// What it did in all of them.
+    #[serde(flatten)]
+    pub did: Tally,
 }
 
 impl Side {
@@ -36,26 +27,12 @@ impl Side {
         Self {
             level: level.name,
             won: 0,
-            shots: 0,
-            pots: 0,
-            points: 0,
-            fouls: 0,
-            trials: 0,
-            most_trials: 0,
+            did: Tally::default(),
         }
     }
 
-    fn add(&mut self, tally: &Tally) {
-        self.shots += tally.shots;
-        self.pots += tally.pots;
-        self.points += tally.points;
-        self.fouls += tally.fouls;
-        self.trials += tally.trials;
-        self.most_trials = self.most_trials.max(tally.most_trials);
-    }
-
     fn per_stroke(&self, count: f64) -> f64 {
-        count / f64::from(self.shots.max(1))
+        count / f64::from(self.did.shots.max(1))
     }
 }
 
@@ -88,7 +65,7 @@ impl Pairing {
             None => self.drawn += 1,
         }
         for (side, tally) in self.sides.iter_mut().zip(&rack.tallies) {
-            side.add(tally);
+            side.did.add(tally);
         }
     }
 
@@ -101,7 +78,7 @@ impl Pairing {
     /// Strokes of both.
     #[must_use]
     pub fn shots(&self) -> u32 {
-        self.sides.iter().map(|side| side.shots).sum()
+        self.sides.iter().map(|side| side.did.shots).sum()
     }
 
     /// Share of racks that the stronger level won, and the ends of its interval of 95 % confidence (Wilson 1927).
@@ -182,12 +159,12 @@ impl Standings {
                     "{:<10} {:<10} {:>7} {:>18.3} {:>7.3} {:>6.3} {:>25.0} {:>5}",
                     side.level,
                     other.level,
-                    side.shots,
-                    side.per_stroke(f64::from(side.pots)),
-                    side.per_stroke(f64::from(side.points)),
-                    side.per_stroke(f64::from(side.fouls)),
-                    side.per_stroke(side.trials as f64),
-                    side.most_trials
+                    side.did.shots,
+                    side.per_stroke(f64::from(side.did.pots)),
+                    side.per_stroke(f64::from(side.did.points)),
+                    side.per_stroke(f64::from(side.did.fouls)),
+                    side.per_stroke(side.did.trials as f64),
+                    side.did.most_trials
                 );
             }
         }

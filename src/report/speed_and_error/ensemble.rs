@@ -8,9 +8,10 @@ use crate::report::speed_and_error::fit::mean_and_spread;
 use crate::report::speed_and_error::horizon::turned;
 use crate::report::speed_and_error::ladder::{GAS, LOOSENED};
 use crate::report::speed_and_error::many::{self, gas};
-use crate::report::speed_and_error::measure::Scene as Measurements;
 use crate::report::speed_and_error::play::{SAMPLES, play};
-use crate::report::speed_and_error::{BOARD, BREAK, DAM, Effort, Method, Named, Progress};
+use crate::report::speed_and_error::{
+    BOARD, BREAK, Comparison, DAM, Effort, Method, Named, Progress,
+};
 use crate::sim::play::Stopped;
 
 /// The shots are turned by up to this angle in rad to either side: no more than a good player's scatter.
@@ -48,7 +49,7 @@ pub(super) const COUNTED_OF: [&str; 5] = [BREAK, LOOSENED, BOARD, DAM, GAS];
 /// [`Stopped`] if a solver cannot go on.
 pub(super) fn statistics(
     effort: &Effort,
-    scenes: &[Measurements],
+    scenes: &[Comparison],
     library: &[Named],
     progress: &dyn Progress,
 ) -> Result<Vec<Ensemble>, Stopped> {

@@ -4,106 +4,17 @@ use std::time::Instant;
 
 use crate::report::speed_and_error::crowds::{self, GRIDS, cost_of_crowd, cost_of_grid};
 use crate::report::speed_and_error::ensemble::{COUNTED_OF, statistics};
-use crate::report::speed_and_error::fit::{Convergence, convergence, pareto};
 use crate::report::speed_and_error::horizon::truth;
 use crate::report::speed_and_error::ladder::{COURSEWORK_BALLS, GAS, LOOSE, ladder};
 use crate::report::speed_and_error::many::gas;
 use crate::report::speed_and_error::play::{SAMPLES, cost, play};
 use crate::report::speed_and_error::{
-    Effort, Errors, Method, Named, Progress, Report, Rung, Truth,
+    Comparison, Effort, Errors, Measured, Method, Named, Progress, Report, Rung, Truth,
 };
 use crate::sim::play::Stopped;
 
-/// Error in m that is no more than rounding, however little a scene amplifies it.
-const ROUNDING: f64 = 1e-9;
 /// Two runs whose costs lie within this share of each other are stable.
 const STABLE: f64 = 0.02;
-
-/// One method in one scene.
-#[derive(Clone, Debug)]
-pub struct Measured {
-    /// The method.
-    pub method: Method,
-    /// Processor time in s for a second of the scene.
-    pub cost: f64,
-    /// Its errors.
-    pub errors: Errors,
-}
-
-/// One scene, played by every method.
-#[derive(Clone, Debug)]
-pub struct Scene {
-    /// The scene.
-    pub rung: Rung,
-    /// What the exact solver says of each start.
-    pub truths: Vec<Truth>,
-    /// Every method that can play it, the exact one first.
-    pub measured: Vec<Measured>,
-}
-
-impl Scene {
-    /// The furthest in m that a turn of 1e-13 rad carries a ball before the horizon.
-    #[must_use]
-    pub fn floor(&self) -> f64 {
-        self.truths
-            .iter()
-            .map(|truth| truth.floor)
-            .fold(0.0, f64::max)
-    }
-
-    /// Times in s up to which the starts are compared: the shortest and the longest.
-    #[must_use]
-    pub fn until(&self) -> (f64, f64) {
-        let times = || self.truths.iter().map(|truth| truth.until);
-        (
-            times().fold(f64::INFINITY, f64::min),
-            times().fold(0.0, f64::max),
-        )
-    }
-
-    /// The methods of a family, by tick.
-    pub fn family(&self, of: Method) -> impl Iterator<Item = &Measured> {
-        self.measured
-            .iter()
-            .filter(move |measured| measured.method.family() == of.family())
-    }
-
-    /// How the error of a family falls with the tick.
-    #[must_use]
-    pub fn convergence(&self, of: Method) -> Convergence {
-        let points: Vec<(f64, f64)> = self
-            .family(of)
-            .filter_map(|measured| {
-                Some((
-                    1.0 / f64::from(measured.method.rate()?),
-                    measured.errors.rms,
-                ))
-            })
-            .collect();
-        convergence(&points, ROUNDING.max(self.floor()))
-    }
-
-    /// Whether located contacts converge as they should.
-    #[must_use]
-    pub fn keeps_order(&self) -> bool {
-        match self.convergence(Method::Located(SAMPLES)) {
-            Convergence::Rounding => true,
-            Convergence::Order { order, .. } => order >= 2.0,
-            Convergence::Unknown => false,
-        }
-    }
-
-    /// The methods that no other beats in cost and error both, cheapest first.
-    #[must_use]
-    pub fn front(&self) -> Vec<usize> {
-        let points: Vec<(f64, f64)> = self
-            .measured
-            .iter()
-            .map(|m| (m.cost, m.errors.rms))
-            .collect();
-        pareto(&points)
-    }
-}
 
 /// The names that a scene of the ladder can be asked for by.
 #[must_use]
@@ -166,7 +77,7 @@ pub fn run(
     })
 }
 
-fn scene(effort: &Effort, rung: Rung, progress: &dyn Progress) -> Result<Scene, Stopped> {
+fn scene(effort: &Effort, rung: Rung, progress: &dyn Progress) -> Result<Comparison, Stopped> {
     let truths = rung
         .starts
         .iter()
@@ -186,7 +97,7 @@ fn scene(effort: &Effort, rung: Rung, progress: &dyn Progress) -> Result<Scene, 
             errors,
         });
     }
-    Ok(Scene {
+    Ok(Comparison {
         rung,
         truths,
         measured,
@@ -221,7 +132,7 @@ fn cheapest(
     }
 }
 
-fn drifts(effort: &Effort, scenes: &[Scene]) -> Result<Vec<crowds::Drift>, Stopped> {
+fn drifts(effort: &Effort, scenes: &[Comparison]) -> Result<Vec<crowds::Drift>, Stopped> {
     let samples = if effort.quick {
         SAMPLES / 2
     } else {

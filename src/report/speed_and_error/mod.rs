@@ -9,6 +9,7 @@
 //! cheapest counts, since whatever else the machine does only adds.
 
 mod beyond;
+mod comparison;
 mod crowds;
 mod ensemble;
 mod error;
@@ -23,6 +24,7 @@ mod play;
 mod sheets;
 mod tables;
 
+pub use comparison::{Comparison, Measured};
 pub use crowds::{CrowdCost, Drift, GridCost};
 pub use ensemble::Ensemble;
 pub use error::Errors;
@@ -30,7 +32,7 @@ pub use fit::{Convergence, convergence, mean_and_spread, pareto};
 pub use horizon::{NUDGE, Truth, truth};
 pub use ladder::Rung;
 pub use many::{enskog_rate, gas};
-pub use measure::{Measured, Scene, names, run};
+pub use measure::{names, run};
 pub use method::Method;
 pub use pictures::pictures;
 pub use sheets::csv;
@@ -132,7 +134,7 @@ pub struct Report {
     /// How much was done.
     pub effort: Effort,
     /// Scene by scene.
-    pub scenes: Vec<Scene>,
+    pub scenes: Vec<Comparison>,
     /// Many shots, of the scenes that were played.
     pub ensembles: Vec<Ensemble>,
     /// What a ball costs.

@@ -3,7 +3,7 @@
 use crate::report::chart::{Axis, Chart, Ink, Panel, Series};
 use crate::report::speed_and_error::fit::Convergence;
 use crate::report::speed_and_error::tables::{best_grids, families};
-use crate::report::speed_and_error::{Method, Report, Scene};
+use crate::report::speed_and_error::{Comparison, Method, Report};
 
 /// Errors below this are drawn at it: an axis of powers of ten has no zero.
 const LEAST: f64 = 1e-16;
@@ -60,7 +60,7 @@ fn marked(label: &str, colour: usize, points: Vec<(f64, f64)>) -> [Series; 2] {
 }
 
 fn speed_against_error(report: &Report) -> Chart {
-    let panel = |scene: &Scene| {
+    let panel = |scene: &Comparison| {
         let point = |place: usize| {
             let measured = &scene.measured[place];
             (1e3 * measured.cost, measured.errors.rms.max(LEAST))
@@ -101,7 +101,7 @@ fn speed_against_error(report: &Report) -> Chart {
 fn error_against_tick(report: &Report) -> Chart {
     let rates = &report.effort.rates;
     let (from, to) = decades(rates.iter().map(|rate| 1.0 / f64::from(*rate)));
-    let panel = |scene: &Scene| {
+    let panel = |scene: &Comparison| {
         let mut series = Vec::new();
         let mut orders = Vec::new();
         for family in families(scene) {

@@ -2,9 +2,9 @@
 
 use std::fmt::Write;
 
+use crate::report::speed_and_error::comparison::Measured;
 use crate::report::speed_and_error::fit::Convergence;
-use crate::report::speed_and_error::measure::Measured;
-use crate::report::speed_and_error::{GridCost, Method, NUDGE, Report, Scene, beyond};
+use crate::report::speed_and_error::{Comparison, GridCost, Method, NUDGE, Report, beyond};
 
 /// What a crowd in single precision is.
 const SINGLE: &str = "*In f32*: places and velocities of a crowd are kept, moved and changed at contacts in single precision; only times of contacts are found in f64 from these. Every contact on the paths as they are kept is found, so none is missed; but paths are off by rounding from the first contact on, and energy is kept but for the rounding of all contacts. It is a method for smooth balls without cloth.";
@@ -56,7 +56,7 @@ fn write(report: &Report, out: &mut String) -> std::fmt::Result {
     drifts(report, out)
 }
 
-fn scene_table(scene: &Scene, out: &mut String) -> std::fmt::Result {
+fn scene_table(scene: &Comparison, out: &mut String) -> std::fmt::Result {
     let (from, to) = scene.until();
     let end = if scene.truths.iter().all(|truth| truth.whole) {
         "to the end"
@@ -126,7 +126,7 @@ fn size(value: f64) -> String {
 }
 
 /// The families of stepped methods, each once.
-pub(super) fn families(scene: &Scene) -> Vec<Method> {
+pub(super) fn families(scene: &Comparison) -> Vec<Method> {
     let mut families: Vec<Method> = Vec::new();
     for measured in &scene.measured {
         if families

@@ -17,7 +17,7 @@ pub use fate::{Potted, Stays};
 pub use place::{Inside, Near, Passes};
 pub use time::Time;
 pub use velocity::{Heading, Speed, Turns};
-pub use way::{Advances, Travels};
+pub use way::{Advances, Travels, Way};
 
 use crate::scenarios::expect::check::{Checked, Checker};
 use crate::scenarios::expect::phrase::Phrase;
