@@ -1,5 +1,7 @@
 //! The table of judges: what `masse judge` prints and draws.
 
+use std::sync::LazyLock;
+
 use masse::report::chart::{Axis, Chart, Ink, Panel, Series, draw};
 use masse::report::judge::pictures;
 use masse::report::judge::{Judgement, Measure, Row};
@@ -8,7 +10,7 @@ use serde_json::Value;
 use crate::cli::{err, folder, masse, out, output};
 
 /// Everything, with the built-in presets.
-fn judged(allowance: f64) -> Judgement {
+fn judge(allowance: f64) -> Judgement {
     let presets: Vec<_> = masse::scenarios::preset::BUILT_IN
         .iter()
         .map(|preset| {
@@ -19,9 +21,15 @@ fn judged(allowance: f64) -> Judgement {
     masse::report::judge::judge(allowance, &presets)
 }
 
+/// The same as it is judged always, computed once for all tests.
+pub(crate) fn judged() -> &'static Judgement {
+    static JUDGED: LazyLock<Judgement> = LazyLock::new(|| judge(1.0));
+    &JUDGED
+}
+
 #[test]
 fn every_exact_judge_passes() {
-    let judgement = judged(1.0);
+    let judgement = judged();
     assert!(
         judgement.exact.len() > 300,
         "{} rows",
@@ -43,7 +51,7 @@ fn every_exact_judge_passes() {
 
 #[test]
 fn a_tolerance_of_nothing_is_missed() {
-    let judgement = judged(0.0);
+    let judgement = judge(0.0);
     let missed = judgement.missed();
     // What is exact to the last bit passes even then; closed forms with a sine in them do not.
     assert!(
@@ -52,13 +60,13 @@ fn a_tolerance_of_nothing_is_missed() {
         missed.len()
     );
     // Experiments have the scatter of others: they are not scaled.
-    assert_eq!(judgement.experiments, judged(1.0).experiments);
+    assert_eq!(judgement.experiments, judged().experiments);
 }
 
 #[test]
 fn every_registered_law_has_rows_in_both_tables() {
     use masse::physics::laws::{ball_ball::BallBallLaw, cushion::CushionLaw};
-    let judgement = judged(1.0);
+    let judgement = judged();
     let names = BallBallLaw::all()
         .into_iter()
         .map(|law| format!("{law:?}"))
@@ -74,7 +82,7 @@ fn every_registered_law_has_rows_in_both_tables() {
 
 #[test]
 fn a_missed_experiment_tells_why() {
-    let judgement = judged(1.0);
+    let judgement = judged();
     for preset in ["preset snooker", "preset heated_carom"] {
         assert!(judgement.experiments.iter().any(|row| row.law == preset));
     }
@@ -87,7 +95,7 @@ fn a_missed_experiment_tells_why() {
 #[test]
 fn the_errors_of_the_coursework_are_those_that_were_found_before() {
     // Computed by another program from the formulas of the report.
-    let judgement = judged(1.0);
+    let judgement = judged();
     for (name, ours, tolerance) in [
         (
             "C1 drag fitted to the whole path of a 2 m/s shot: speed after 0.291 s",

@@ -205,7 +205,7 @@ fn again(loading: &mut Loading, before: &Scene, playfield: &Playfield, count: us
 }
 
 fn balls(ui: &mut egui::Ui, language: &Language, laws: &mut Laws, at_once: bool, spins: bool) {
-    let restitution = laws.ball_ball.restitution();
+    let restitution = laws.ball_ball.restitution(0.0);
     if let Some(wish) =
         Dial::share("crowd-restitution", 1.0, at_once).show(ui, language, restitution)
     {
@@ -251,7 +251,7 @@ fn friction(law: &BallBallLaw) -> f64 {
 /// The same friction at every speed; without any the law that knows none.
 fn set_friction(law: &mut BallBallLaw, value: f64) {
     let friction = Friction::Constant(value);
-    let restitution = law.restitution();
+    let restitution = law.restitution(0.0);
     match law {
         _ if value == 0.0 => *law = BallBallLaw::Frictionless(Frictionless { restitution }),
         BallBallLaw::Frictionless(_) => {
@@ -320,9 +320,9 @@ mod tests {
         for mut law in BallBallLaw::all() {
             set_restitution(&mut law, 0.7);
             set_friction(&mut law, 0.2);
-            assert_eq!((friction(&law), law.restitution()), (0.2, 0.7));
+            assert_eq!((friction(&law), law.restitution(0.0)), (0.2, 0.7));
             set_friction(&mut law, 0.0);
-            assert_eq!((friction(&law), law.restitution()), (0.0, 0.7));
+            assert_eq!((friction(&law), law.restitution(0.0)), (0.0, 0.7));
             assert!(matches!(law, BallBallLaw::Frictionless(_)));
         }
     }

@@ -64,7 +64,7 @@ proptest! {
         let scale = a.1.velocity.length() + b.1.velocity.length() + after.first.velocity.length()
             + after.second.velocity.length();
         let expected = if closing > 0.0 {
-            contact.restitution.unwrap_or(law.restitution()) * closing
+            contact.restitution.unwrap_or(law.restitution(closing)) * closing
         } else {
             -closing
         };

@@ -11,16 +11,9 @@
 use serde::{Deserialize, Serialize};
 
 use crate::physics::ball::{Ball, State};
-use crate::physics::laws::ball_ball::{Friction, Frictionless, PairContact, PairOutcome};
+use crate::physics::laws::ball_ball::{Friction, Frictionless, Impact, PairContact, PairOutcome};
 use crate::physics::laws::source::Source;
 use crate::physics::laws::{Check, Parameter};
-
-/// Where the law comes from.
-pub(super) const SOURCE: Source = Source {
-    paper: "Alciatore, TP A.14; friction fitted to Marlow (1995)",
-    formula: "Jₜ = min(μ Jₙ, (2/7) m* |u|) against the slip u",
-    leaves_out: "the cloth under the balls while they touch: up to 0.4° and 0.004 m/s",
-};
 
 /// Rough balls.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -43,7 +36,7 @@ impl Default for Frictional {
 
 impl Frictional {
     /// `cap` scales the normal impulse that limits friction: 1 is right.
-    pub(super) fn collide(
+    pub(super) fn collide_capped(
         &self,
         cap: f64,
         (ball_1, state_1): (&Ball, &State),
@@ -77,6 +70,27 @@ impl Frictional {
         outcome.first.angular_velocity += (ball_1.radius / ball_1.inertia()) * torque;
         outcome.second.angular_velocity += (ball_2.radius / ball_2.inertia()) * torque;
         outcome
+    }
+}
+
+impl Impact for Frictional {
+    const SOURCE: Source = Source {
+        paper: "Alciatore, TP A.14; friction fitted to Marlow (1995)",
+        formula: "Jₜ = min(μ Jₙ, (2/7) m* |u|) against the slip u",
+        leaves_out: "the cloth under the balls while they touch: up to 0.4° and 0.004 m/s",
+    };
+
+    fn collide(
+        &self,
+        first: (&Ball, &State),
+        second: (&Ball, &State),
+        contact: &PairContact,
+    ) -> PairOutcome {
+        self.collide_capped(1.0, first, second, contact)
+    }
+
+    fn restitution(&self, _closing: f64) -> f64 {
+        self.restitution
     }
 }
 

@@ -7,16 +7,9 @@
 use serde::{Deserialize, Serialize};
 
 use crate::physics::ball::{Ball, State};
-use crate::physics::laws::ball_ball::{PairContact, PairOutcome};
+use crate::physics::laws::ball_ball::{Impact, PairContact, PairOutcome};
 use crate::physics::laws::source::Source;
 use crate::physics::laws::{Check, Parameter};
-
-/// Where the law comes from.
-pub(super) const SOURCE: Source = Source {
-    paper: "Newton's law of restitution; Alciatore, TP A.5 and A.6",
-    formula: "Jₙ = (1 + e) m* (v₁ − v₂)·n",
-    leaves_out: "throw and passed-on spin",
-};
 
 /// Smooth balls.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -32,8 +25,14 @@ impl Default for Frictionless {
     }
 }
 
-impl Frictionless {
-    pub(super) fn collide(
+impl Impact for Frictionless {
+    const SOURCE: Source = Source {
+        paper: "Newton's law of restitution; Alciatore, TP A.5 and A.6",
+        formula: "Jₙ = (1 + e) m* (v₁ − v₂)·n",
+        leaves_out: "throw and passed-on spin",
+    };
+
+    fn collide(
         &self,
         (ball_1, state_1): (&Ball, &State),
         (ball_2, state_2): (&Ball, &State),
@@ -57,6 +56,10 @@ impl Frictionless {
         outcome.second.velocity += change * (ball_1.mass / total) * contact.normal;
         outcome.impulse = change * ball_1.mass * (ball_2.mass / total);
         outcome
+    }
+
+    fn restitution(&self, _closing: f64) -> f64 {
+        self.restitution
     }
 }
 

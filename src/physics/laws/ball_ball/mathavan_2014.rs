@@ -18,17 +18,10 @@ use glam::{DVec2, DVec3};
 use serde::{Deserialize, Serialize};
 
 use crate::physics::ball::{Ball, State};
-use crate::physics::laws::ball_ball::{Friction, Frictional, PairContact, PairOutcome};
+use crate::physics::laws::ball_ball::{Friction, Frictional, Impact, PairContact, PairOutcome};
 use crate::physics::laws::rub::{Accuracy, Limit, Rub};
 use crate::physics::laws::source::Source;
 use crate::physics::laws::{Check, Parameter};
-
-/// Where the law comes from.
-pub(super) const SOURCE: Source = Source {
-    paper: "Mathavan, Jackson & Parkin, Sports Eng. 17 (2014) 227",
-    formula: "as Frictional along the impulse P, the cloth rubs with μₛ times the vertical friction; e² of the work comes back",
-    leaves_out: "nothing known on the slate; in flight it is Frictional",
-};
 
 /// Largest product of the frictions of balls and cloth that is followed; at 1 the impact jams.
 const FREE: f64 = 0.9;
@@ -57,7 +50,23 @@ impl Default for Mathavan2014 {
 }
 
 impl Mathavan2014 {
-    pub(super) fn collide(
+    /// The law of balls that touch no cloth.
+    fn flying(&self) -> Frictional {
+        Frictional {
+            restitution: self.restitution,
+            friction: self.friction,
+        }
+    }
+}
+
+impl Impact for Mathavan2014 {
+    const SOURCE: Source = Source {
+        paper: "Mathavan, Jackson & Parkin, Sports Eng. 17 (2014) 227",
+        formula: "as Frictional along the impulse P, the cloth rubs with μₛ times the vertical friction; e² of the work comes back",
+        leaves_out: "nothing known on the slate; in flight it is Frictional",
+    };
+
+    fn collide(
         &self,
         (ball_1, state_1): (&Ball, &State),
         (ball_2, state_2): (&Ball, &State),
@@ -70,7 +79,7 @@ impl Mathavan2014 {
         if !contact.on_slate || !rough || closing <= 0.0 || normal.y.abs() > 1e-9 {
             return self
                 .flying()
-                .collide(1.0, (ball_1, state_1), (ball_2, state_2), contact);
+                .collide((ball_1, state_1), (ball_2, state_2), contact);
         }
         let x = normal.cross(DVec3::Y);
         let relative = state_1.velocity - state_2.velocity;
@@ -143,12 +152,8 @@ impl Mathavan2014 {
         outcome
     }
 
-    /// The law of balls that touch no cloth.
-    fn flying(&self) -> Frictional {
-        Frictional {
-            restitution: self.restitution,
-            friction: self.friction,
-        }
+    fn restitution(&self, _closing: f64) -> f64 {
+        self.restitution
     }
 }
 

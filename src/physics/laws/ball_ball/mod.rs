@@ -72,31 +72,89 @@ pub struct PairOutcome {
     pub impulse: f64,
 }
 
-/// How two balls collide.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub enum BallBallLaw {
+/// What the file of a law of the impact of two balls has to say.
+trait Impact: Check {
+    /// Where the law comes from.
+    const SOURCE: Source;
+
+    /// Velocities after the impact; positions and motion labels are left as they are. A pair that separates is returned
+    /// unchanged.
+    fn collide(
+        &self,
+        first: (&Ball, &State),
+        second: (&Ball, &State),
+        contact: &PairContact,
+    ) -> PairOutcome;
+
+    /// The law's own restitution for balls that close at this speed in m/s.
+    fn restitution(&self, closing: f64) -> f64;
+}
+
+macro_rules! laws {
+    ($($(#[doc = $doc:literal])+ $name:ident),+ $(,)?) => {
+        /// How two balls collide.
+        #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+        pub enum BallBallLaw {
+            $($(#[doc = $doc])+ $name($name)),+
+        }
+
+        impl BallBallLaw {
+            /// One of each registered law, with its default parameters.
+            #[must_use]
+            pub fn all() -> Vec<Self> {
+                vec![$(Self::$name($name::default())),+]
+            }
+
+            /// Where the law comes from.
+            #[must_use]
+            pub fn source(&self) -> Source {
+                match self {
+                    $(Self::$name(_) => $name::SOURCE),+
+                }
+            }
+
+            fn impact(
+                &self,
+                first: (&Ball, &State),
+                second: (&Ball, &State),
+                contact: &PairContact,
+            ) -> PairOutcome {
+                match self {
+                    $(Self::$name(law) => law.collide(first, second, contact)),+
+                }
+            }
+
+            /// The law's own restitution for balls that close at this speed in m/s.
+            #[must_use]
+            pub fn restitution(&self, closing: f64) -> f64 {
+                match self {
+                    $(Self::$name(law) => law.restitution(closing)),+
+                }
+            }
+        }
+
+        impl Check for BallBallLaw {
+            fn parameters(&self) -> Vec<Parameter> {
+                match self {
+                    $(Self::$name(law) => law.parameters()),+
+                }
+            }
+        }
+    };
+}
+
+laws! {
     /// Impulse along the line of centres only.
-    Frictionless(Frictionless),
+    Frictionless,
     /// Impulse along the line of centres and Coulomb friction across it: throw and spin transfer.
-    Frictional(Frictional),
+    Frictional,
     /// As `Frictional`, with the friction of the cloth under balls that press each other down.
-    Mathavan2014(Mathavan2014),
+    Mathavan2014,
     /// As `Frictional` with the peer pooltool's limit of friction; for comparison only.
-    PeerCap(PeerCap),
+    PeerCap,
 }
 
 impl BallBallLaw {
-    /// One of each registered law, with its default parameters.
-    #[must_use]
-    pub fn all() -> Vec<Self> {
-        vec![
-            Self::Frictionless(Frictionless::default()),
-            Self::Frictional(Frictional::default()),
-            Self::Mathavan2014(Mathavan2014::default()),
-            Self::PeerCap(PeerCap::default()),
-        ]
-    }
-
     /// Velocities after the impact; positions and motion labels are left as they are. A pair that separates is
     /// returned unchanged.
     #[must_use]
@@ -106,48 +164,11 @@ impl BallBallLaw {
         second: (&Ball, &State),
         contact: &PairContact,
     ) -> PairOutcome {
-        let mut outcome = match self {
-            Self::Frictionless(law) => law.collide(first, second, contact),
-            Self::Frictional(law) => law.collide(1.0, first, second, contact),
-            Self::Mathavan2014(law) => law.collide(first, second, contact),
-            Self::PeerCap(law) => law.collide(first, second, contact),
-        };
+        let mut outcome = self.impact(first, second, contact);
         if contact.on_slate {
             outcome.first.velocity.y = 0.0;
             outcome.second.velocity.y = 0.0;
         }
         outcome
-    }
-
-    /// Where the law comes from.
-    #[must_use]
-    pub fn source(&self) -> Source {
-        match self {
-            Self::Frictionless(_) => frictionless::SOURCE,
-            Self::Frictional(_) => frictional::SOURCE,
-            Self::Mathavan2014(_) => mathavan_2014::SOURCE,
-            Self::PeerCap(_) => peer_cap::SOURCE,
-        }
-    }
-
-    /// The law's own restitution.
-    #[must_use]
-    pub fn restitution(&self) -> f64 {
-        match self {
-            Self::Frictionless(law) => law.restitution,
-            Self::Frictional(law) | Self::PeerCap(PeerCap(law)) => law.restitution,
-            Self::Mathavan2014(law) => law.restitution,
-        }
-    }
-}
-
-impl Check for BallBallLaw {
-    fn parameters(&self) -> Vec<Parameter> {
-        match self {
-            Self::Frictionless(law) => law.parameters(),
-            Self::Frictional(law) => law.parameters(),
-            Self::Mathavan2014(law) => law.parameters(),
-            Self::PeerCap(law) => law.parameters(),
-        }
     }
 }

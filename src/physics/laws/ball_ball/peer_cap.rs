@@ -7,24 +7,23 @@
 use serde::{Deserialize, Serialize};
 
 use crate::physics::ball::{Ball, State};
-use crate::physics::laws::ball_ball::{Frictional, PairContact, PairOutcome};
+use crate::physics::laws::ball_ball::{Frictional, Impact, PairContact, PairOutcome};
 use crate::physics::laws::source::Source;
 use crate::physics::laws::{Check, Parameter};
-
-/// Where the law comes from.
-pub(super) const SOURCE: Source = Source {
-    paper: "pooltool 0.6.0, frictional_inelastic",
-    formula: "as Frictional, with μ 2 e m* vₙ as the limit of friction",
-    leaves_out: "part of Coulomb's limit: for comparison with its data only",
-};
 
 /// Rough balls with the peer's limit of friction.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(transparent)]
 pub struct PeerCap(pub Frictional);
 
-impl PeerCap {
-    pub(super) fn collide(
+impl Impact for PeerCap {
+    const SOURCE: Source = Source {
+        paper: "pooltool 0.6.0, frictional_inelastic",
+        formula: "as Frictional, with μ 2 e m* vₙ as the limit of friction",
+        leaves_out: "part of Coulomb's limit: for comparison with its data only",
+    };
+
+    fn collide(
         &self,
         first: (&Ball, &State),
         second: (&Ball, &State),
@@ -32,7 +31,11 @@ impl PeerCap {
     ) -> PairOutcome {
         let restitution = contact.restitution.unwrap_or(self.0.restitution);
         let cap = 2.0 * restitution / (1.0 + restitution);
-        self.0.collide(cap, first, second, contact)
+        self.0.collide_capped(cap, first, second, contact)
+    }
+
+    fn restitution(&self, _closing: f64) -> f64 {
+        self.0.restitution
     }
 }
 

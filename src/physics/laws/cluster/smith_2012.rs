@@ -199,7 +199,7 @@ impl Cluster {
         contact
             .restitution
             .unwrap_or_else(|| match contact.against {
-                Against::Ball { .. } => laws.ball_ball.restitution(),
+                Against::Ball { .. } => laws.ball_ball.restitution(closing),
                 Against::Cushion { .. } => laws.cushion.restitution(closing),
                 Against::Rim { .. } => laws.rattle_restitution(true),
                 Against::Wall { .. } => laws.rattle_restitution(false),

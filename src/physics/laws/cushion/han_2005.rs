@@ -11,17 +11,10 @@ use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 use crate::physics::ball::{Ball, State};
-use crate::physics::laws::cushion::CushionContact;
+use crate::physics::laws::cushion::{CushionContact, Cushioning};
 use crate::physics::laws::restitution::{NoseFriction, Restitution};
 use crate::physics::laws::source::Source;
 use crate::physics::laws::{Check, Parameter};
-
-/// Where the law comes from.
-pub(super) const SOURCE: Source = Source {
-    paper: "Han, J. Mech. Sci. Tech. 19 (2005) 976, eqs 14 to 20; fits eq. 26",
-    formula: "Jₙ = (1 + e) m c along the inclined normal, min(μ Jₙ, (2/7) m |s|) across it",
-    leaves_out: "the cloth under a ball that the nose presses down, and the vertical outcome",
-};
 
 /// Han's cushion.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -43,8 +36,14 @@ impl Default for Han2005 {
     }
 }
 
-impl Han2005 {
-    pub(super) fn rebound(&self, ball: &Ball, state: &State, contact: &CushionContact) -> State {
+impl Cushioning for Han2005 {
+    const SOURCE: Source = Source {
+        paper: "Han, J. Mech. Sci. Tech. 19 (2005) 976, eqs 14 to 20; fits eq. 26",
+        formula: "Jₙ = (1 + e) m c along the inclined normal, min(μ Jₙ, (2/7) m |s|) across it",
+        leaves_out: "the cloth under a ball that the nose presses down, and the vertical outcome",
+    };
+
+    fn rebound(&self, ball: &Ball, state: &State, contact: &CushionContact) -> State {
         // Han's axes: x into the cushion, z up, y = z × x.
         let x = -contact.normal;
         let z = DVec3::Y;
@@ -82,6 +81,14 @@ impl Han2005 {
         after.angular_velocity +=
             k * (-p_y * sin * x + (p_x * sin - p_z * cos) * y + p_y * cos * z);
         after
+    }
+
+    fn restitution(&self) -> Restitution {
+        self.restitution
+    }
+
+    fn friction(&self, into: f64, along: f64) -> f64 {
+        self.friction.at(into, along)
     }
 }
 

@@ -11,17 +11,11 @@ use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 use crate::physics::ball::{Ball, State};
-use crate::physics::laws::cushion::{CushionContact, Inclination};
+use crate::physics::laws::cushion::{CushionContact, Cushioning, Inclination};
 use crate::physics::laws::restitution::{NoseFriction, Restitution};
 use crate::physics::laws::source::Source;
 use crate::physics::laws::{Check, Parameter};
-
-/// Where the law comes from.
-pub(super) const SOURCE: Source = Source {
-    paper: "Coulomb impact of a sphere as in Alciatore, TP A.14; pooltool, impulse_frictional_inelastic",
-    formula: "Jₙ = (1 + e) m |v·n| in space, min(μ Jₙ, (2/7) m |u|) across it",
-    leaves_out: "the cloth under the ball, and give along the rubber",
-};
+use crate::physics::table::Cushion;
 
 /// A rigid, rough nose.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -47,8 +41,14 @@ impl Default for Impulse {
     }
 }
 
-impl Impulse {
-    pub(super) fn rebound(&self, ball: &Ball, state: &State, contact: &CushionContact) -> State {
+impl Cushioning for Impulse {
+    const SOURCE: Source = Source {
+        paper: "Coulomb impact of a sphere as in Alciatore, TP A.14; pooltool, impulse_frictional_inelastic",
+        formula: "Jₙ = (1 + e) m |v·n| in space, min(μ Jₙ, (2/7) m |u|) across it",
+        leaves_out: "the cloth under the ball, and give along the rubber",
+    };
+
+    fn rebound(&self, ball: &Ball, state: &State, contact: &CushionContact) -> State {
         let (sin, cos) = self.inclination.of(ball, contact);
         let normal = cos * contact.normal - sin * DVec3::Y;
         let into = -state.velocity.dot(contact.normal);
@@ -65,6 +65,18 @@ impl Impulse {
         );
         after.velocity.y = state.velocity.y;
         after
+    }
+
+    fn restitution(&self) -> Restitution {
+        self.restitution
+    }
+
+    fn friction(&self, into: f64, along: f64) -> f64 {
+        self.friction.at(into, along)
+    }
+
+    fn nose_height(&self, height: f64, ball: &Ball, cushion: &Cushion) -> f64 {
+        self.inclination.nose_height(height, ball, cushion)
     }
 }
 

@@ -14,18 +14,11 @@ use glam::{DVec2, DVec3};
 use serde::{Deserialize, Serialize};
 
 use crate::physics::ball::{Ball, State};
-use crate::physics::laws::cushion::CushionContact;
+use crate::physics::laws::cushion::{CushionContact, Cushioning};
 use crate::physics::laws::restitution::{NoseFriction, Restitution};
 use crate::physics::laws::rub::{Accuracy, Limit, Rub};
 use crate::physics::laws::source::Source;
 use crate::physics::laws::{Check, Parameter};
-
-/// Where the law comes from.
-pub(super) const SOURCE: Source = Source {
-    paper: "Mathavan, Jackson & Parkin, Proc. IMechE C 224 (2010) 1863",
-    formula: "nose and cloth rub at once along the impulse P; e² of the work comes back",
-    leaves_out: "rubber that yields: good below 2.5 m/s along the normal",
-};
 
 /// Mathavan's cushion.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -50,8 +43,14 @@ impl Default for Mathavan2010 {
     }
 }
 
-impl Mathavan2010 {
-    pub(super) fn rebound(&self, ball: &Ball, state: &State, contact: &CushionContact) -> State {
+impl Cushioning for Mathavan2010 {
+    const SOURCE: Source = Source {
+        paper: "Mathavan, Jackson & Parkin, Proc. IMechE C 224 (2010) 1863",
+        formula: "nose and cloth rub at once along the impulse P; e² of the work comes back",
+        leaves_out: "rubber that yields: good below 2.5 m/s along the normal",
+    };
+
+    fn rebound(&self, ball: &Ball, state: &State, contact: &CushionContact) -> State {
         // The paper's axes: y into the cushion, z up, x = y × z. Spins times R.
         let y = -contact.normal;
         let x = y.cross(DVec3::Y);
@@ -99,6 +98,14 @@ impl Mathavan2010 {
         let spin = (nose.y + cloth.y) * x + (nose.x * sin - cloth.x) * y - nose.x * cos * DVec3::Y;
         after.angular_velocity -= 2.5 / ball.radius * spin;
         after
+    }
+
+    fn restitution(&self) -> Restitution {
+        self.restitution
+    }
+
+    fn friction(&self, into: f64, along: f64) -> f64 {
+        self.friction.at(into, along)
     }
 }
 

@@ -5,18 +5,11 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::physics::ball::State;
-use crate::physics::laws::cushion::CushionContact;
+use crate::physics::ball::{Ball, State};
+use crate::physics::laws::cushion::{CushionContact, Cushioning};
 use crate::physics::laws::restitution::Restitution;
 use crate::physics::laws::source::Source;
 use crate::physics::laws::{Check, Parameter};
-
-/// Where the law comes from.
-pub(super) const SOURCE: Source = Source {
-    paper: "the law of reflection with restitution",
-    formula: "v′ = v − (1 + e)(v·n) n",
-    leaves_out: "friction and spin: a roll at 45° settles 5.1° too steep",
-};
 
 /// A wall.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -35,7 +28,7 @@ impl Default for Mirror {
 }
 
 impl Mirror {
-    pub(super) fn rebound(&self, state: &State, contact: &CushionContact) -> State {
+    pub(super) fn reflect(&self, state: &State, contact: &CushionContact) -> State {
         let closing = -state.velocity.dot(contact.normal);
         let restitution = contact
             .restitution
@@ -43,6 +36,26 @@ impl Mirror {
         let mut after = *state;
         after.velocity += (1.0 + restitution) * closing * contact.normal;
         after
+    }
+}
+
+impl Cushioning for Mirror {
+    const SOURCE: Source = Source {
+        paper: "the law of reflection with restitution",
+        formula: "v′ = v − (1 + e)(v·n) n",
+        leaves_out: "friction and spin: a roll at 45° settles 5.1° too steep",
+    };
+
+    fn rebound(&self, _ball: &Ball, state: &State, contact: &CushionContact) -> State {
+        self.reflect(state, contact)
+    }
+
+    fn restitution(&self) -> Restitution {
+        self.restitution
+    }
+
+    fn friction(&self, _into: f64, _along: f64) -> f64 {
+        0.0
     }
 }
 

@@ -66,46 +66,102 @@ pub struct Rebound {
     pub impulse: f64,
 }
 
-/// How a cushion throws a ball back.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub enum CushionLaw {
+/// What the file of a law of cushions has to say.
+trait Cushioning: Check {
+    /// Where the law comes from.
+    const SOURCE: Source;
+
+    /// Velocities of a ball on the slate that comes into the cushion and spins; position and motion label are left as they
+    /// are.
+    fn rebound(&self, ball: &Ball, state: &State, contact: &CushionContact) -> State;
+
+    /// Its own restitution.
+    fn restitution(&self) -> Restitution;
+
+    /// Its own friction for a ball in flight that comes with these speeds in m/s into the cushion and along it.
+    fn friction(&self, into: f64, along: f64) -> f64;
+
+    /// The height in m to give to [`CushionContact`] for this stretch of cushion of a table with this nose height.
+    fn nose_height(&self, height: f64, _ball: &Ball, _cushion: &Cushion) -> f64 {
+        height
+    }
+}
+
+macro_rules! laws {
+    ($($(#[doc = $doc:literal])+ $name:ident),+ $(,)?) => {
+        /// How a cushion throws a ball back.
+        #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+        pub enum CushionLaw {
+            $($(#[doc = $doc])+ $name($name)),+
+        }
+
+        impl CushionLaw {
+            /// One of each registered law, with its default parameters.
+            #[must_use]
+            pub fn all() -> Vec<Self> {
+                vec![$(Self::$name($name::default())),+]
+            }
+
+            /// Where the law comes from.
+            #[must_use]
+            pub fn source(&self) -> Source {
+                match self {
+                    $(Self::$name(_) => $name::SOURCE),+
+                }
+            }
+
+            /// The law as it stands, for a ball on the slate.
+            fn roll(&self, ball: &Ball, state: &State, contact: &CushionContact) -> State {
+                match self {
+                    $(Self::$name(law) => law.rebound(ball, state, contact)),+
+                }
+            }
+
+            fn own_restitution(&self) -> Restitution {
+                match self {
+                    $(Self::$name(law) => law.restitution()),+
+                }
+            }
+
+            fn friction(&self, into: f64, along: f64) -> f64 {
+                match self {
+                    $(Self::$name(law) => law.friction(into, along)),+
+                }
+            }
+
+            /// The height in m to give to [`CushionContact`] for this stretch of cushion of a table with this nose height.
+            #[must_use]
+            pub fn nose_height(&self, height: f64, ball: &Ball, cushion: &Cushion) -> f64 {
+                match self {
+                    $(Self::$name(law) => law.nose_height(height, ball, cushion)),+
+                }
+            }
+        }
+
+        impl Check for CushionLaw {
+            fn parameters(&self) -> Vec<Parameter> {
+                match self {
+                    $(Self::$name(law) => law.parameters()),+
+                }
+            }
+        }
+    };
+}
+
+laws! {
     /// The normal velocity turns round, scaled by the restitution; all else stays.
-    Mirror(Mirror),
+    Mirror,
     /// Han's rigid impact at the height of the nose, with friction.
-    Han2005(Han2005),
+    Han2005,
     /// Rigid impact along the normal in space, with friction.
-    Impulse(Impulse),
+    Impulse,
     /// Mathavan's impact with nose and cloth at once.
-    Mathavan2010(Mathavan2010),
+    Mathavan2010,
     /// Stronge's compliant impact, with tangential give.
-    Stronge2018(Stronge2018),
+    Stronge2018,
 }
 
 impl CushionLaw {
-    /// One of each registered law, with its default parameters.
-    #[must_use]
-    pub fn all() -> Vec<Self> {
-        vec![
-            Self::Mirror(Mirror::default()),
-            Self::Han2005(Han2005::default()),
-            Self::Impulse(Impulse::default()),
-            Self::Mathavan2010(Mathavan2010::default()),
-            Self::Stronge2018(Stronge2018::default()),
-        ]
-    }
-
-    /// Where the law comes from.
-    #[must_use]
-    pub fn source(&self) -> Source {
-        match self {
-            Self::Mirror(_) => mirror::SOURCE,
-            Self::Han2005(_) => han_2005::SOURCE,
-            Self::Impulse(_) => impulse::SOURCE,
-            Self::Mathavan2010(_) => mathavan_2010::SOURCE,
-            Self::Stronge2018(_) => stronge_2018::SOURCE,
-        }
-    }
-
     /// The rebound of a ball from a cushion that it touches where it is. One on the slate that has gone beyond the nose, as a
     /// tick without contact times leaves it, is pushed back to where it came from.
     #[must_use]
@@ -162,21 +218,10 @@ impl CushionLaw {
         }
     }
 
-    /// The law as it stands, for a ball on the slate.
-    fn roll(&self, ball: &Ball, state: &State, contact: &CushionContact) -> State {
-        match self {
-            Self::Mirror(_) => self.mirror(state, contact),
-            Self::Han2005(law) => law.rebound(ball, state, contact),
-            Self::Impulse(law) => law.rebound(ball, state, contact),
-            Self::Mathavan2010(law) => law.rebound(ball, state, contact),
-            Self::Stronge2018(law) => law.rebound(ball, state, contact),
-        }
-    }
-
     /// Restitution alone, for a ball on the slate.
     fn mirror(&self, state: &State, contact: &CushionContact) -> State {
         let restitution = self.own_restitution();
-        Mirror { restitution }.rebound(state, contact)
+        Mirror { restitution }.reflect(state, contact)
     }
 
     /// A ball in flight: no cloth, no slate.
@@ -186,13 +231,7 @@ impl CushionLaw {
         let restitution = contact
             .restitution
             .unwrap_or_else(|| self.restitution(-state.velocity.dot(normal)));
-        let friction = match self {
-            Self::Mirror(_) => 0.0,
-            Self::Han2005(law) => law.friction.at(into.max(0.0), along),
-            Self::Impulse(law) => law.friction.at(into.max(0.0), along),
-            Self::Mathavan2010(law) => law.friction.at(into.max(0.0), along),
-            Self::Stronge2018(law) => law.friction,
-        };
+        let friction = self.friction(into.max(0.0), along);
         impulse::throw(ball, state, normal, restitution, friction)
     }
 
@@ -200,37 +239,5 @@ impl CushionLaw {
     #[must_use]
     pub fn restitution(&self, speed: f64) -> f64 {
         self.own_restitution().at(speed)
-    }
-
-    fn own_restitution(&self) -> Restitution {
-        match self {
-            Self::Mirror(law) => law.restitution,
-            Self::Han2005(law) => law.restitution,
-            Self::Impulse(law) => law.restitution,
-            Self::Mathavan2010(law) => law.restitution,
-            Self::Stronge2018(law) => law.restitution,
-        }
-    }
-
-    /// The height in m to give to [`CushionContact`] for this stretch of cushion of a table with this nose height.
-    #[must_use]
-    pub fn nose_height(&self, height: f64, ball: &Ball, cushion: &Cushion) -> f64 {
-        match self {
-            Self::Stronge2018(law) => law.inclination.nose_height(height, ball, cushion),
-            Self::Impulse(law) => law.inclination.nose_height(height, ball, cushion),
-            Self::Mirror(_) | Self::Han2005(_) | Self::Mathavan2010(_) => height,
-        }
-    }
-}
-
-impl Check for CushionLaw {
-    fn parameters(&self) -> Vec<Parameter> {
-        match self {
-            Self::Mirror(law) => law.parameters(),
-            Self::Han2005(law) => law.parameters(),
-            Self::Impulse(law) => law.parameters(),
-            Self::Mathavan2010(law) => law.parameters(),
-            Self::Stronge2018(law) => law.parameters(),
-        }
     }
 }

@@ -17,18 +17,11 @@ use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 use crate::physics::ball::{Ball, State};
-use crate::physics::laws::cushion::CushionContact;
+use crate::physics::laws::cushion::{CushionContact, Cushioning};
 use crate::physics::laws::restitution::Restitution;
 use crate::physics::laws::source::Source;
 use crate::physics::laws::{Check, Parameter};
 use crate::physics::table::Cushion;
-
-/// Where the law comes from.
-pub(super) const SOURCE: Source = Source {
-    paper: "Stronge, Impact Mechanics, 2nd ed. (2018), section 5.4",
-    formula: "springs along and across the normal, ωₜ/ωₙ given: stick, slip, or both in turn",
-    leaves_out: "the cloth under the ball",
-};
 
 /// βₜ of a homogeneous sphere.
 const BETA: f64 = 3.5;
@@ -102,36 +95,6 @@ impl Default for Stronge2018 {
 }
 
 impl Stronge2018 {
-    pub(super) fn rebound(&self, ball: &Ball, state: &State, contact: &CushionContact) -> State {
-        // The formulas divide by e; a blow without any rebound is the limit.
-        let restitution = contact
-            .restitution
-            .unwrap_or_else(|| self.restitution.at(-state.velocity.dot(contact.normal)))
-            .max(1e-6);
-        let (sin, cos) = self.inclination.of(ball, contact);
-        let normal = cos * contact.normal - sin * DVec3::Y;
-        let slip = state.velocity - ball.radius * state.angular_velocity.cross(normal);
-        let closing = slip.dot(normal);
-        let across = slip - closing * normal;
-        let speed = across.length();
-        let mut after = *state;
-        if closing >= 0.0 {
-            // The ball climbs away from an inclined nose though it moves towards it in plan.
-            after.velocity -=
-                (1.0 + restitution) * state.velocity.dot(contact.normal) * contact.normal;
-            return after;
-        }
-        let mut impulse = -(1.0 + restitution) * closing * normal;
-        if speed > 0.0 {
-            let left = self.tangential(restitution, speed / -closing) * -closing;
-            impulse += ((left - speed) / BETA / speed) * across;
-        }
-        after.velocity += impulse;
-        after.angular_velocity -= (2.5 / ball.radius) * normal.cross(impulse);
-        after.velocity.y = state.velocity.y;
-        after
-    }
-
     /// Slip that is left in the direction of the slip before, as a multiple of the closing speed, for a slip of
     /// `k` closing speeds before.
     fn tangential(&self, e: f64, k: f64) -> f64 {
@@ -187,6 +150,56 @@ impl Stronge2018 {
         let angle = ratio * (slip_at - start);
         let sticking = ratio * stretch * libm::sin(angle) + speed * libm::cos(angle);
         BETA * mu * e * (1.0 + libm::cos(phase(slip_at))) - sticking
+    }
+}
+
+impl Cushioning for Stronge2018 {
+    const SOURCE: Source = Source {
+        paper: "Stronge, Impact Mechanics, 2nd ed. (2018), section 5.4",
+        formula: "springs along and across the normal, ωₜ/ωₙ given: stick, slip, or both in turn",
+        leaves_out: "the cloth under the ball",
+    };
+
+    fn rebound(&self, ball: &Ball, state: &State, contact: &CushionContact) -> State {
+        // The formulas divide by e; a blow without any rebound is the limit.
+        let restitution = contact
+            .restitution
+            .unwrap_or_else(|| self.restitution.at(-state.velocity.dot(contact.normal)))
+            .max(1e-6);
+        let (sin, cos) = self.inclination.of(ball, contact);
+        let normal = cos * contact.normal - sin * DVec3::Y;
+        let slip = state.velocity - ball.radius * state.angular_velocity.cross(normal);
+        let closing = slip.dot(normal);
+        let across = slip - closing * normal;
+        let speed = across.length();
+        let mut after = *state;
+        if closing >= 0.0 {
+            // The ball climbs away from an inclined nose though it moves towards it in plan.
+            after.velocity -=
+                (1.0 + restitution) * state.velocity.dot(contact.normal) * contact.normal;
+            return after;
+        }
+        let mut impulse = -(1.0 + restitution) * closing * normal;
+        if speed > 0.0 {
+            let left = self.tangential(restitution, speed / -closing) * -closing;
+            impulse += ((left - speed) / BETA / speed) * across;
+        }
+        after.velocity += impulse;
+        after.angular_velocity -= (2.5 / ball.radius) * normal.cross(impulse);
+        after.velocity.y = state.velocity.y;
+        after
+    }
+
+    fn restitution(&self) -> Restitution {
+        self.restitution
+    }
+
+    fn friction(&self, _into: f64, _along: f64) -> f64 {
+        self.friction
+    }
+
+    fn nose_height(&self, height: f64, ball: &Ball, cushion: &Cushion) -> f64 {
+        self.inclination.nose_height(height, ball, cushion)
     }
 }
 

@@ -84,7 +84,7 @@ fn head_on() -> Vec<Row> {
     let mut rows = Vec::new();
     for (name, law) in ball_ball_laws() {
         for given in [None, Some(0.5), Some(1.0)] {
-            let e = given.unwrap_or(law.restitution());
+            let e = given.unwrap_or(law.restitution(3.0));
             let after = stand.hit_with(&law, &stand.stunned(3.0), 0.0, given);
             let (cue, object) = (after.first.velocity.x, after.second.velocity.x);
             let title = format!("J4 head-on, e {e}");
@@ -114,7 +114,8 @@ fn unequal() -> Vec<Row> {
                 ..Ball::POOL
             };
             let second = Ball::POOL;
-            let (m_1, m_2, v, e) = (first.mass, second.mass, 2.0, law.restitution());
+            let (m_1, m_2, v) = (first.mass, second.mass, 2.0);
+            let e = law.restitution(v);
             let mut before = State::at_rest(DVec3::Y * first.radius);
             before.velocity.x = v;
             let rest = State::at_rest(before.position + 2.0 * first.radius * DVec3::X);
