@@ -111,7 +111,7 @@ pub enum AxisError {
 }
 
 /// Most values of an axis: more are a slip of the pen.
-const MOST: usize = 100_000_000;
+const MOST: usize = 1_000_000;
 
 impl Axis {
     /// Reads `NAME=FROM:TO:COUNT`, `NAME=FROM:TO`, `NAME=MEAN+-DEVIATION` or `NAME=VALUE,VALUE,...` for a scene. Units are those of
