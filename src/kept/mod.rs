@@ -55,7 +55,7 @@ pub fn read(path: &Path, longest: u64) -> Result<String, Unread> {
     String::from_utf8(bytes).map_err(|error| Unread::NotText(error.utf8_error().valid_up_to()))
 }
 
-/// Writes a file as [`write`] does. The folder is made if it is not there.
+/// Writes a file as [`write()`] does. The folder is made if it is not there.
 ///
 /// # Errors
 /// [`io::Error`] if it cannot be written; the file is then as it was.

@@ -1,6 +1,6 @@
 //! Every kind of expectation: what can be wrong with it, what it finds in a record, when it is settled, and its words.
 //!
-//! A new kind is a struct in one of these files with its [`Kind`], a line in the list `kinds!` of
+//! A new kind is a struct in one of these files with its `Kind`, a line in the list `kinds!` of
 //! [`expect`](crate::scenarios::expect), and its sentence in every file of `assets/languages`.
 
 mod contacts;
