@@ -108,7 +108,7 @@ impl Default for Rig {
 }
 
 impl Rig {
-    /// Takes up the size of the table: what the player has set stays as it is beside it.
+    /// Takes up the size of the table: what the player has set stays as it is beside it, and another one is in the middle.
     pub fn suit(&mut self, around: &Surroundings) {
         let scale = if around.is_crowd {
             (around.table.max_element() / 2.54).clamp(0.01, 1e4)
@@ -121,8 +121,8 @@ impl Rig {
         let change = scale / self.scale;
         self.scale = scale;
         self.orbit_distance *= change;
-        self.orbit_target *= change;
-        self.overhead_shift *= change;
+        self.orbit_target = Self::default().orbit_target * scale;
+        self.overhead_shift = Vec2::ZERO;
     }
 
     /// Between which distances there may be anything to see, m.
@@ -337,6 +337,14 @@ mod tests {
         let far = seen(&pose, around.aspect, ball + 0.5 * around.forward);
         assert!(near.x.abs() < 1e-5 && far.x.abs() < 1e-5);
         assert!(far.y > near.y && near.y > -1.0);
+    }
+
+    #[test]
+    fn a_table_of_another_size_is_in_the_middle() {
+        let (mut rig, mut around) = (Rig::default(), around(1.78));
+        (rig.overhead_shift, around.table, around.is_crowd) = (Vec2::X, 9.0 * around.table, true);
+        rig.suit(&around);
+        assert_eq!(rig.overhead_shift, Vec2::ZERO);
     }
 
     #[test]

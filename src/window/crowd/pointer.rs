@@ -84,12 +84,18 @@ fn pixel(camera: &Camera, place: &GlobalTransform) -> f64 {
 
 /// Moves the table with the pointer.
 pub(super) fn drag(
+    actions: Single<&ActionState<Action>>,
     mut moved: MessageReader<CursorMoved>,
     eye: Eye,
     mut grasp: ResMut<Grasp>,
     mut watch: ResMut<Watch>,
     mut camera: MessageWriter<CameraInput>,
 ) {
+    // The way to where the button goes down is no drag, however slow the frames are.
+    if actions.just_pressed(&Action::Drag) {
+        moved.clear();
+        return;
+    }
     let way: Vec2 = moved.read().filter_map(|moved| moved.delta).sum();
     let (Some(gone), Ok((lens, place))) = (&mut grasp.way, eye.single()) else {
         return;

@@ -160,12 +160,19 @@ fn show(
                     .on_hover_text(language.text(known.key));
             }
         });
+        if let Some(level) = draft.levels[index] {
+            ui.weak(language.text(Level::ALL[level].key));
+        }
     }
     terms(ui, draft, &language);
     ui.horizontal(|ui| {
         let begin = egui::RichText::new(language.text("match-begin")).size(18.0);
         if ui
-            .add(egui::Button::new(begin).min_size(egui::vec2(120.0, 32.0)))
+            .add(
+                egui::Button::new(begin)
+                    .min_size(egui::vec2(120.0, 32.0))
+                    .fill(ui.visuals().selection.bg_fill),
+            )
             .clicked()
         {
             draft.begun += 1;

@@ -102,8 +102,9 @@ fn boards(anisotropy: u16) -> Image {
         let row = (v * ROWS as f32).floor();
         let across = v * ROWS as f32 - row;
         let shift = (row * 0.618).fract();
-        let board = ((u + shift) * 3.0).floor();
-        let along = (u + shift) * 3.0 - board;
+        let along = ((u + shift) * 3.0).fract();
+        // The board that runs on into the next tile is the same there.
+        let board = ((u + shift) * 3.0).floor().rem_euclid(3.0);
         let tone = noise.octave(
             ((row + 0.5) / ROWS as f32, ((board + 0.5) / 7.0).fract()),
             (64, 64),
