@@ -21,6 +21,8 @@ fn fragment(in: VertexOutput, @builtin(front_facing) is_front: bool) -> Fragment
     var out: FragmentOutput;
     let place = in.world_position.xyz;
     let half = stage[0].xy;
+    // By how much the normal turns within this pixel, squared.
+    let turn = vec2(length(dpdx(in.world_normal)), length(dpdy(in.world_normal)));
     let used = textureSample(wear, wear_sampler, 0.5 + 0.5 * place.xz / half).rg;
     if stage[1].w > 0.5 && place.y < 0.002 {
         let colour = input.material.base_color.rgb * (0.6 + 0.8 * used.r);
@@ -35,7 +37,8 @@ fn fragment(in: VertexOutput, @builtin(front_facing) is_front: bool) -> Fragment
     let around = roomlight(input.N) * open * input.diffuse_occlusion;
     var light = input.material.base_color.rgb * (direct + around);
     // Fibres that stand up catch light at their tips.
-    let fuzz = pow(1.0 - facing, 3.0);
+    // Where a nose turns away within a pixel there are too few of them to be seen.
+    let fuzz = pow(1.0 - facing, 3.0) / (1.0 + 30.0 * dot(turn, turn));
     light += 0.16 * fuzz * (0.35 + input.material.base_color.rgb) * (direct * 0.35 + around);
     out.color = vec4(view.exposure * light, 1.0);
 #else

@@ -1,4 +1,4 @@
-//! The materials of balls and cloth: Bevy's own, with shaders that know the stage.
+//! The materials of balls, cloth and frame: Bevy's own, with shaders that know the stage.
 
 use bevy::mesh::MeshVertexBufferLayoutRef;
 use bevy::pbr::{
@@ -17,6 +17,9 @@ pub(in crate::window::render) type BallMaterial = ExtendedMaterial<StandardMater
 
 /// Cloth.
 pub(in crate::window::render) type ClothMaterial = ExtendedMaterial<StandardMaterial, Felt>;
+
+/// Lacquered wood, leather, metal.
+pub(in crate::window::render) type PolishMaterial = ExtendedMaterial<StandardMaterial, Polish>;
 
 /// Whether shaders follow rays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -50,6 +53,24 @@ pub(in crate::window::render) struct Felt {
     pub traced: bool,
 }
 
+/// What wood, leather and metal know of what is around them.
+#[derive(Asset, TypePath, AsBindGroup, Clone, Debug)]
+#[bind_group_data(Traced)]
+pub(in crate::window::render) struct Polish {
+    #[storage(100, read_only)]
+    pub stage: Handle<ShaderBuffer>,
+    #[texture(101, dimension = "cube")]
+    #[sampler(102)]
+    pub room: Handle<Image>,
+    pub traced: bool,
+}
+
+impl From<&Polish> for Traced {
+    fn from(polish: &Polish) -> Self {
+        Self(polish.traced)
+    }
+}
+
 impl From<&Gloss> for Traced {
     fn from(gloss: &Gloss) -> Self {
         Self(gloss.traced)
@@ -63,6 +84,15 @@ impl From<&Felt> for Traced {
 }
 
 impl Gloss {
+    /// The same for what the frame is made of.
+    pub fn polish(&self) -> Polish {
+        Polish {
+            stage: self.stage.clone(),
+            room: self.room.clone(),
+            traced: self.traced,
+        }
+    }
+
     /// The same for cloth, with this wear.
     pub fn felt(self, wear: Handle<Image>) -> Felt {
         Felt {
@@ -77,6 +107,22 @@ impl Gloss {
 impl MaterialExtension for Gloss {
     fn fragment_shader() -> ShaderRef {
         "embedded://masse/window/render/stage/ball.wgsl".into()
+    }
+
+    fn specialize(
+        _: &MaterialExtensionPipeline,
+        descriptor: &mut RenderPipelineDescriptor,
+        _: &MeshVertexBufferLayoutRef,
+        key: MaterialExtensionKey<Self>,
+    ) -> Result<(), SpecializedMeshPipelineError> {
+        define(descriptor, key.bind_group_data);
+        Ok(())
+    }
+}
+
+impl MaterialExtension for Polish {
+    fn fragment_shader() -> ShaderRef {
+        "embedded://masse/window/render/stage/polish.wgsl".into()
     }
 
     fn specialize(

@@ -3,7 +3,7 @@
 
 mod materials;
 
-pub(super) use materials::{BallMaterial, ClothMaterial, Gloss};
+pub(super) use materials::{BallMaterial, ClothMaterial, Gloss, PolishMaterial};
 
 use bevy::asset::{RenderAssetUsages, embedded_asset};
 use bevy::light::NotShadowCaster;
@@ -63,11 +63,13 @@ pub(super) fn plugin(app: &mut App) {
     load_shader_library!(app, "stage.wgsl");
     embedded_asset!(app, "ball.wgsl");
     embedded_asset!(app, "cloth.wgsl");
+    embedded_asset!(app, "polish.wgsl");
     app.init_asset::<ShaderBuffer>()
         .init_resource::<Stage>()
         .add_plugins((
             MaterialPlugin::<BallMaterial>::default(),
             MaterialPlugin::<ClothMaterial>::default(),
+            MaterialPlugin::<PolishMaterial>::default(),
         ))
         .add_systems(RunFixedMainLoop, tell.in_set(Drawing::Stage));
 }

@@ -21,7 +21,7 @@ use crate::physics::table::Table;
 use crate::sim::playfield::Playfield;
 use crate::window::render::plan::{area, circle};
 use crate::window::render::solid::Solid;
-use crate::window::render::stage::{ClothMaterial, Stage};
+use crate::window::render::stage::{ClothMaterial, PolishMaterial, Stage};
 use crate::window::render::studio::Studio;
 use crate::window::render::{Drawing, quality::RenderQuality, twin};
 use noses::Noses;
@@ -45,14 +45,15 @@ struct Furniture;
 /// Replaces the drawn table if its geometry is another one.
 #[expect(
     clippy::too_many_arguments,
-    reason = "two stores of assets, three sources"
+    reason = "stores of assets, and their sources"
 )]
 fn build(
     mut commands: Commands,
     mut meshes: ResMut<Assets<Mesh>>,
-    (mut materials, mut cloths): (
+    (mut materials, mut cloths, mut polishes): (
         ResMut<Assets<StandardMaterial>>,
         ResMut<Assets<ClothMaterial>>,
+        ResMut<Assets<PolishMaterial>>,
     ),
     mut images: ResMut<Assets<Image>>,
     (stage, studio, mut dyes): (Res<Stage>, Res<Studio>, ResMut<Dyes>),
@@ -80,7 +81,14 @@ fn build(
         _ => {
             *dyes = finish.dyes();
             let gloss = stage.gloss(*quality, &studio);
-            Surfaces::new(finish, gloss, &mut images, &mut materials, &mut cloths)
+            Surfaces::new(
+                finish,
+                gloss,
+                &mut images,
+                &mut materials,
+                &mut cloths,
+                &mut polishes,
+            )
         }
     };
     for entity in &old {
@@ -97,6 +105,7 @@ fn build(
         ));
         match surfaces.get(part.surface) {
             Cover::Cloth(cloth) => entity.insert(MeshMaterial3d(cloth)),
+            Cover::Polished(material) => entity.insert(MeshMaterial3d(material)),
             Cover::Plain(material) => entity.insert(MeshMaterial3d(material)),
         };
         if !part.casts_shadow {

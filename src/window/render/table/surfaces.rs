@@ -5,7 +5,7 @@ use bevy::prelude::*;
 use crate::game::settings::{ClothColour, TableStyle, Wood};
 use crate::window::render::paint::{Noise, Paint, paint};
 use crate::window::render::quality::RenderQuality;
-use crate::window::render::stage::{ClothMaterial, Gloss};
+use crate::window::render::stage::{ClothMaterial, Gloss, PolishMaterial};
 use crate::window::render::table::{Surface, wear};
 
 /// Side of the square of cloth that repeats, m.
@@ -44,18 +44,19 @@ impl Finish {
 /// One material for each [`Surface`].
 pub(super) struct Surfaces {
     cloth: Handle<ClothMaterial>,
-    wood: Handle<StandardMaterial>,
-    rim: Handle<StandardMaterial>,
-    metal: Handle<StandardMaterial>,
-    pearl: Handle<StandardMaterial>,
+    wood: Handle<PolishMaterial>,
+    rim: Handle<PolishMaterial>,
+    metal: Handle<PolishMaterial>,
+    pearl: Handle<PolishMaterial>,
     hole: Handle<StandardMaterial>,
     mark: Handle<StandardMaterial>,
     shade: Handle<StandardMaterial>,
 }
 
-/// A material of either kind.
+/// A material of one of these kinds.
 pub(super) enum Cover {
     Cloth(Handle<ClothMaterial>),
+    Polished(Handle<PolishMaterial>),
     Plain(Handle<StandardMaterial>),
 }
 
@@ -66,6 +67,7 @@ impl Surfaces {
         images: &mut Assets<Image>,
         materials: &mut Assets<StandardMaterial>,
         cloths: &mut Assets<ClothMaterial>,
+        polishes: &mut Assets<PolishMaterial>,
     ) -> Self {
         let quality = finish.quality;
         let anisotropy = quality.anisotropy();
@@ -74,6 +76,13 @@ impl Surfaces {
             perceptual_roughness: roughness,
             reflectance: 0.3,
             ..default()
+        };
+        let polish = gloss.polish();
+        let mut polished = |base| {
+            polishes.add(PolishMaterial {
+                base,
+                extension: polish.clone(),
+            })
         };
         let cloth = ClothMaterial {
             base: StandardMaterial {
@@ -124,10 +133,10 @@ impl Surfaces {
         };
         Self {
             cloth: cloths.add(cloth),
-            wood: materials.add(wood),
-            rim: materials.add(rim),
-            metal: materials.add(metal),
-            pearl: materials.add(plain(inlay, 0.22)),
+            wood: polished(wood),
+            rim: polished(rim),
+            metal: polished(metal),
+            pearl: polished(plain(inlay, 0.22)),
             hole: materials.add(StandardMaterial {
                 reflectance: 0.0,
                 ..plain(Color::srgb(0.02, 0.018, 0.016), 1.0)
@@ -149,16 +158,16 @@ impl Surfaces {
     }
 
     pub fn get(&self, surface: Surface) -> Cover {
-        let plain = match surface {
+        let polished = match surface {
             Surface::Cloth => return Cover::Cloth(self.cloth.clone()),
+            Surface::Hole => return Cover::Plain(self.hole.clone()),
+            Surface::Mark => return Cover::Plain(self.mark.clone()),
             Surface::Wood => &self.wood,
             Surface::Rim => &self.rim,
             Surface::Metal => &self.metal,
             Surface::Pearl => &self.pearl,
-            Surface::Hole => &self.hole,
-            Surface::Mark => &self.mark,
         };
-        Cover::Plain(plain.clone())
+        Cover::Polished(polished.clone())
     }
 }
 
