@@ -59,6 +59,13 @@ impl Solid {
         }
     }
 
+    /// Gives the points from this one on the linear colour that belongs to their places.
+    pub fn paint(&mut self, from: usize, look: impl Fn(Vec3) -> Vec3) {
+        for (colour, at) in self.colours.iter_mut().zip(&self.positions).skip(from) {
+            *colour = look(Vec3::from_array(*at)).extend(1.0).to_array();
+        }
+    }
+
     /// Every point.
     #[cfg(test)]
     pub fn points(&self) -> impl Iterator<Item = [f32; 3]> {

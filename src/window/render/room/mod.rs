@@ -1,5 +1,7 @@
 //! The room: the lamp over the table, walls and floor, and the film in the camera.
 
+mod bar;
+mod bottles;
 mod lamps;
 mod surfaces;
 mod walls;
@@ -40,7 +42,7 @@ pub(super) fn plugin(app: &mut App) {
         .add_observer(equip_camera)
         .add_systems(
             Startup,
-            (surfaces::build, sort_lamps_here)
+            (surfaces::build, bar::build, sort_lamps_here)
                 .chain()
                 .in_set(Drawing::Room),
         )
@@ -55,6 +57,7 @@ pub(super) fn plugin(app: &mut App) {
                 ),
                 surfaces::widen.run_if(resource_exists_and_changed::<Playfield>),
                 lamps::step_aside,
+                bar::step_aside,
             )
                 .chain()
                 .in_set(Drawing::Room),

@@ -5,9 +5,11 @@ use bevy::light::NotShadowCaster;
 use bevy::mesh::{Indices, PrimitiveTopology};
 use bevy::prelude::*;
 
+use crate::physics::table::Table;
 use crate::sim::playfield::Playfield;
 use crate::window::render::paint::{Noise, Paint, paint};
 use crate::window::render::quality::RenderQuality;
+use crate::window::render::room::bottles;
 use crate::window::render::room::walls::{HALF, HIGH, Side, wall};
 use crate::window::render::table::FLOOR;
 use crate::window::render::twin;
@@ -40,7 +42,12 @@ pub(super) fn build(
         let half = side.half();
         let size = (512 << quality.finer(), 256 << quality.finer());
         let picture = paint(Paint::Colour, size, 1, |u, v| {
-            screen(wall(side, half * (2.0 * u - 1.0), HIGH * (1.0 - v)))
+            let (along, up) = (half * (2.0 * u - 1.0), HIGH * (1.0 - v));
+            // The bottles stand before the wall.
+            let bare = (side == Side::Foot)
+                .then(|| bottles::bare(along, up))
+                .flatten();
+            screen(bare.unwrap_or_else(|| wall(side, along, up)))
         });
         let corner = |along, up| side.point(along, up);
         let corners = [
@@ -83,11 +90,16 @@ pub(super) fn build(
     );
 }
 
+/// By how much the room of this table is larger than that of a nine-foot one.
+pub(super) fn growth(table: &Table) -> f32 {
+    let reach = 0.5 * table.length.max(table.width) as f32;
+    // The ceiling stays above the eye that sees the whole table from overhead.
+    (1.2 * reach - 1.4).max(1.0)
+}
+
 /// Makes the room as large as a table that would not fit into it asks; the floor stays where it is.
 pub(super) fn widen(playfield: Res<Playfield>, mut walls: Query<&mut Transform, With<Wall>>) {
-    let reach = 0.5 * playfield.table.length.max(playfield.table.width) as f32;
-    // The ceiling stays above the eye that sees the whole table from overhead.
-    let scale = (1.2 * reach - 1.4).max(1.0);
+    let scale = growth(&playfield.table);
     for mut wall in &mut walls {
         *wall = Transform::from_xyz(0.0, FLOOR as f32 * (scale - 1.0), 0.0)
             .with_scale(Vec3::splat(scale));

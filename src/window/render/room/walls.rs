@@ -4,6 +4,7 @@
 use bevy::prelude::*;
 
 use crate::window::render::paint::Noise;
+use crate::window::render::room::bottles;
 use crate::window::render::table::FLOOR;
 
 /// Half the length and width of the room, m.
@@ -112,7 +113,7 @@ pub(in crate::window::render) fn wall(side: Side, along: f32, up: f32) -> Vec3 {
         Vec3::new(0.055, 0.085, 0.072) * (0.85 + 0.12 * stripe + 0.10 * cloth)
     } * light;
     let extra = match side {
-        Side::Foot => bar(along, up),
+        Side::Foot => bottles::painted(along, up),
         Side::Head => cues(along, up, light),
         Side::Right => pictures(along, up, &noise, place),
         Side::Left => windows(along, up, &noise, place),
@@ -149,73 +150,6 @@ fn wainscot(along: f32, up: f32, noise: &Noise, place: (f32, f32)) -> Vec3 {
     // Light from above: the lower edge of a panel shines, the upper one is dark.
     let tilt = if up > 0.5 { -0.55 } else { 0.9 };
     wood * (1.0 + tilt * edge) * if inside > 0.0 { 1.12 } else { 0.9 }
-}
-
-/// Shelves of bottles with light behind them, over a counter.
-fn bar(along: f32, up: f32) -> Option<Vec3> {
-    const WIDE: f32 = 1.9;
-    if along.abs() > WIDE + 0.12 || up > 2.52 {
-        return None;
-    }
-    let wood = Vec3::new(0.045, 0.018, 0.009);
-    if up < 1.08 {
-        let front = wood * (0.8 + 0.4 * bump((along / 0.95).rem_euclid(1.0), 0.5, 0.42));
-        let brass = Vec3::new(0.60, 0.38, 0.13) * bump(up, 1.05, 0.012);
-        return Some(front * (0.35 + 0.65 * up) + brass);
-    }
-    if along.abs() > WIDE || up > 2.42 {
-        return Some(wood * 1.4);
-    }
-    let shelf = ((up - 1.12) / 0.42).floor();
-    let height = (up - 1.12) - 0.42 * shelf;
-    let glow = libm::expf(-height * 3.2) + 0.25;
-    let edge = smooth(WIDE - along.abs(), 0.35);
-    let back = Vec3::new(0.80, 0.40, 0.12) * glow * edge * 0.62;
-    if height < 0.022 {
-        return Some(Vec3::new(0.22, 0.11, 0.04) * (0.4 + 0.6 * edge));
-    }
-    let cell = (along / 0.105).floor();
-    let chance = |salt: f32| {
-        let x = libm::sinf(cell * 12.9898 + shelf * 78.233 + salt * 37.719) * 43_758.547;
-        x - x.floor()
-    };
-    let x = along - 0.105 * (cell + 0.5) - 0.012 * (chance(1.0) - 0.5);
-    let tall = 0.20 + 0.15 * chance(2.0);
-    if chance(3.0) < 0.12 {
-        return Some(back);
-    }
-    let width = 0.030 + 0.014 * chance(4.0);
-    let share = (height - 0.022) / tall;
-    let neck = 0.010;
-    let half = match share {
-        s if s < 0.60 => width,
-        s if s < 0.74 => width + (neck - width) * (s - 0.60) / 0.14,
-        s if s < 1.0 => neck,
-        _ => return Some(back),
-    };
-    if x.abs() > half {
-        return Some(back * (1.0 - 0.5 * bump(x.abs(), half, 0.006)));
-    }
-    let tint = match (chance(5.0) * 6.0) as u32 {
-        0 => Vec3::new(0.10, 0.42, 0.12),
-        1 => Vec3::new(0.75, 0.28, 0.04),
-        2 => Vec3::new(0.80, 0.74, 0.62),
-        3 => Vec3::new(0.10, 0.26, 0.55),
-        4 => Vec3::new(0.50, 0.05, 0.03),
-        _ => Vec3::new(0.42, 0.17, 0.03),
-    };
-    if share > 0.93 {
-        return Some(0.25 * tint);
-    }
-    let round = 1.0 - (x / half) * (x / half);
-    let label = (0.14..0.42).contains(&share) && chance(6.0) > 0.35;
-    let glint = bump(x / half, -0.55, 0.12);
-    let body = back * tint * (0.55 + 1.2 * round) + Vec3::splat(0.30) * glint * tint;
-    Some(if label {
-        Vec3::new(0.42, 0.36, 0.26) * (0.35 + 0.4 * round) * edge
-    } else {
-        body
-    })
 }
 
 /// Cues in a rack.
@@ -288,13 +222,13 @@ fn windows(along: f32, up: f32, noise: &Noise, place: (f32, f32)) -> Option<Vec3
 }
 
 /// 1 at `at`, fading over `width` to both sides.
-fn bump(x: f32, at: f32, width: f32) -> f32 {
+pub(super) fn bump(x: f32, at: f32, width: f32) -> f32 {
     let t = (x - at) / width;
     libm::expf(-t * t)
 }
 
 /// From 0 to 1 as `x` passes 0, over `width` to both sides.
-fn smooth(x: f32, width: f32) -> f32 {
+pub(super) fn smooth(x: f32, width: f32) -> f32 {
     let t = (0.5 + 0.5 * x / width).clamp(0.0, 1.0);
     t * t * (3.0 - 2.0 * t)
 }
