@@ -230,7 +230,8 @@ fn stool(solid: &mut Solid, along: f32) {
     turned(solid, (along, before), &foot, (std::f32::consts::TAU, 12));
     solid.paint(from, |at| {
         let (x, up, _) = numbers(at);
-        let round = 1.0 - ((x - along) / 0.19).powi(2);
+        let off = (x - along) / 0.19;
+        let round = 1.0 - off * off;
         if up < 0.695 {
             return BRASS * (0.03 + 0.16 * up * bump((x - along) / 0.028, -0.4, 0.4));
         }
