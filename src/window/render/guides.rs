@@ -35,7 +35,7 @@ fn make(
         Ghost,
         Mesh3d(meshes.add(Sphere::new(1.0).mesh().uv(40, 20))),
         MeshMaterial3d(materials.add(StandardMaterial {
-            base_color: Color::srgba(1.0, 1.0, 1.0, 0.28),
+            base_color: Color::srgba(1.0, 1.0, 1.0, 0.13),
             perceptual_roughness: 0.2,
             alpha_mode: AlphaMode::Blend,
             ..default()
