@@ -16,6 +16,31 @@ fn widened(roughness: f32, slope: f32) -> f32 {
     return sqrt(sqrt(saturate(square * square + slope)));
 }
 
+#ifdef TRACED
+// The sheen of the lamps in a surface this rough (Walter et al. 2007, with the visibility of Kelemen 2001).
+fn sheen(place: vec3<f32>, normal: vec3<f32>, to_eye: vec3<f32>, rough: f32, tint: vec3<f32>) -> vec3<f32> {
+    let shape = stage[4];
+    let apart = select(0.6 * shape.x, shape.z, stage[6].w > 0.5);
+    // A third of all their light; mirrors show them brighter than they are.
+    let power = 0.8 * shape.x * shape.y * shape.w * stage[5].rgb;
+    // Seen from here a lamp is no point.
+    let square = rough * rough + 0.006;
+    var sum = 0.0;
+    for (var i = -1; i < 2; i++) {
+        let way = vec3(f32(i) * apart, stage[5].w, 0.0) - place;
+        let to_lamp = normalize(way);
+        let middle = normalize(to_lamp + to_eye);
+        let facing = saturate(dot(normal, middle));
+        let bend = facing * facing * (square - 1.0) + 1.0;
+        let meets = max(dot(to_lamp, middle), 0.1);
+        let comes = saturate(dot(normal, to_lamp)) * saturate(to_lamp.y) / dot(way, way);
+        sum += square * comes / (3.14159265 * bend * bend * 4.0 * meets * meets);
+    }
+    // The table is between the lamps and what is below it.
+    return smoothstep(-0.05, 0.0, place.y) * sum * power * tint;
+}
+#endif
+
 @fragment
 fn fragment(in: VertexOutput, @builtin(front_facing) is_front: bool) -> FragmentOutput {
     var input = pbr_input_from_standard_material(in, is_front);
@@ -45,10 +70,13 @@ fn fragment(in: VertexOutput, @builtin(front_facing) is_front: bool) -> Fragment
     let half = stage[0].xy + stage[1].y + 0.9 * stage[1].z;
     let inside = all(abs(place.xz) < half);
     let free = select(1.0, smoothstep(-0.05, 0.5 * stage[0].w, place.y), inside);
-    let mirrored = free * (lamps(place, ray, blur) + beyond(ray, blur));
+    // Lacquer mirrors the lamps; what lies bare, or below it, shines by them.
+    let mirrored = free * (coat * lamps(place, ray, blur) + beyond(ray, blur));
+    let below = mix(0.16 * reflectance * reflectance, base, metallic);
+    let shine = free * sheen(place, normal, input.V, rough * rough, below);
     let direct = lamplight(place, normal, nowhere, in.position.xy, true);
     let around = roomlight(normal) * open_sky(place, normal, nowhere) * input.diffuse_occlusion;
-    let light = base * (1.0 - metallic) * (1.0 - fresnel) * (direct + around) + fresnel * mirrored;
+    let light = base * (1.0 - metallic) * (1.0 - fresnel) * (direct + around) + fresnel * mirrored + shine;
     out.color = vec4(view.exposure * light, 1.0);
 #else
     input.material.perceptual_roughness = rough;
