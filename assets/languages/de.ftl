@@ -361,7 +361,9 @@ notice-solver = Der Löser blieb bei { $time } s stehen: { $reason }. Der Tisch 
 notice-no-room = Die Kugeln haben auf diesem Tisch keinen Platz: neu aufgebaut.
 notice-agreed = Eine Partie wird mit dem gespielt, was vereinbart ist: zuerst die Partie verlassen.
 notice-file-changed = { $name } wurde geändert: gilt ab dem nächsten Stoß.
-notice-file-no-good = { $error } Es gilt weiter, was vorher darin stand.
+notice-file-no-good =
+    { $error }
+    Es gilt weiter, was vorher darin stand.
 notice-settings-damaged = Die Einstellungen konnten nicht gelesen werden. { $file }: { $reason }. Die Datei bleibt als { $kept } erhalten; alles ist wie am Anfang.
 notice-settings-stuck = Die Einstellungen konnten nicht gelesen werden. { $file }: { $reason }. Die Datei lässt sich nicht umbenennen ({ $error }), deshalb wird diesmal nichts gespeichert.
 notice-settings-unsaved = Die Einstellungen konnten nicht in { $file } gespeichert werden: { $error }

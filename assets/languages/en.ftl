@@ -361,7 +361,9 @@ notice-solver = The solver stopped at { $time } s: { $reason }. The table is bac
 notice-no-room = The balls have no room on this table: racked again.
 notice-agreed = A match is played with what was agreed on: leave it first.
 notice-file-changed = { $name } has changed: played with from the next shot on.
-notice-file-no-good = { $error } Playing on with what it said before.
+notice-file-no-good =
+    { $error }
+    Playing on with what it said before.
 notice-settings-damaged = The settings could not be read. { $file }: { $reason }. The file is kept as { $kept }; every setting is as at first.
 notice-settings-stuck = The settings could not be read. { $file }: { $reason }. The file cannot be renamed ({ $error }), so nothing is saved this time.
 notice-settings-unsaved = The settings could not be saved in { $file }: { $error }

@@ -361,7 +361,9 @@ notice-solver = Le solveur s'est arrêté à { $time } s : { $reason }. La table
 notice-no-room = Les billes n'ont pas de place sur cette table : elles sont replacées.
 notice-agreed = Une partie se joue avec ce qui a été convenu : il faut d'abord la quitter.
 notice-file-changed = { $name } a changé : pris en compte dès le prochain coup.
-notice-file-no-good = { $error } On continue avec ce qui y était écrit avant.
+notice-file-no-good =
+    { $error }
+    On continue avec ce qui y était écrit avant.
 notice-settings-damaged = Les réglages n'ont pas pu être lus. { $file } : { $reason }. Le fichier est gardé sous { $kept } ; tout est comme au début.
 notice-settings-stuck = Les réglages n'ont pas pu être lus. { $file } : { $reason }. Le fichier ne peut pas être renommé ({ $error }) : rien ne sera enregistré cette fois.
 notice-settings-unsaved = Les réglages n'ont pas pu être enregistrés dans { $file } : { $error }

@@ -119,6 +119,8 @@ pub fn add(
 /// one alone.
 fn beside(path: &Path) -> io::Result<tempfile::NamedTempFile> {
     let mut builder = tempfile::Builder::new();
+    // Whoever finds one after a crash sees whose it is.
+    builder.prefix(".masse-").suffix(".part");
     #[cfg(unix)]
     let builder = builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
     builder.tempfile_in(folder_of(path)).map_err(plain)

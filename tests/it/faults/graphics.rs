@@ -80,7 +80,13 @@ fn a_film_that_cannot_be_drawn_ends_with_its_own_code() {
         let output = output(command.args(["film", "stun-shot", "--out", "frames", "--to", "0"]));
         no_panic(&output);
         assert_eq!(output.status.code(), Some(5), "{}", err(&output));
-        assert!(err(&output).contains("masse: "), "{}", err(&output));
+        let said = err(&output);
+        let lacks = [
+            "no graphics adapter",
+            "storage buffers a shader",
+            "a build without a window",
+        ];
+        assert!(lacks.iter().any(|what| said.contains(what)), "{said}");
         let frames = std::fs::read_dir(folder.join("frames")).expect("a folder");
         assert_eq!(frames.count(), 0, "no frame that is no picture");
     }
