@@ -2,9 +2,11 @@
 //! bounce between them without end, and where the normals of its contacts span all directions no speed parts it from all of
 //! them. So a slow one that its weight does not move comes to rest ([`Motion::Wedged`]), until something dislodges it.
 
+use glam::DVec3;
+
 use crate::physics::ball::Motion;
 use crate::physics::laws::Laws;
-use crate::physics::laws::cluster::{Against, CONTACT_TIME, Cluster, Member, SLOW};
+use crate::physics::laws::cluster::{Against, CONTACT_TIME, Cluster, Member, SLOW, Touching};
 
 /// Speed in m/s, of the centre and of the surface, up to which a ball that its weight does not move comes to rest: it would
 /// rise by 5 µm.
@@ -83,8 +85,9 @@ impl Cluster {
     /// [`LEAN`](super::LEAN) of each other, is among the members. States before are in [`Cluster::before`].
     ///
     /// Slow balls are held that a contact time of their weight alone does not move: the velocities that follow from it are
-    /// unique (see `complementarity`). What moves bears nothing, so it is asked again without it. A jam takes the spin too:
-    /// there is no limit to what presses there.
+    /// unique (see `complementarity`). What moves bears nothing, so it is asked again without it. Along the wall of a pocket
+    /// that it is pressed to none moves: each touch takes a share of that motion, so lasting contact takes all of it. A jam
+    /// takes the spin too: there is no limit to what presses there.
     pub fn hold(&mut self, laws: &Laws, jammed: bool) {
         self.before.clear();
         self.before
@@ -99,6 +102,7 @@ impl Cluster {
             let calm = state.velocity.length() <= CALM && (jammed || spin <= CALM);
             self.held.push(state.motion.flies() && calm);
         }
+        self.cling();
         loop {
             let held = &self.held;
             self.contacts.retain(|contact| {
@@ -110,11 +114,14 @@ impl Cluster {
             });
             for (member, held) in self.members.iter_mut().zip(&self.held) {
                 if *held {
-                    member.state.velocity = -fall * glam::DVec3::Y;
+                    member.state.velocity = -fall * DVec3::Y;
                 }
             }
+            for contact in &mut self.contacts {
+                contact.impulse = 0.0;
+            }
             self.settle(laws, &[]);
-            let mut again = false;
+            let mut again = self.slip();
             for (member, held) in self.members.iter().zip(&mut self.held) {
                 if *held && member.state.velocity.length() > MOVED * fall {
                     *held = false;
@@ -125,16 +132,55 @@ impl Cluster {
                 break;
             }
         }
+        self.contacts.clear();
         for place in 0..self.members.len() {
             let state = &mut self.members[place].state;
             *state = self.before[place];
             if self.held[place] {
-                state.velocity = glam::DVec3::ZERO;
-                state.angular_velocity = glam::DVec3::ZERO;
+                state.velocity = DVec3::ZERO;
+                state.angular_velocity = DVec3::ZERO;
                 state.motion = Motion::Wedged;
             } else if state.motion == Motion::Wedged {
                 state.motion = Motion::Airborne;
             }
         }
     }
+
+    /// Lets no member move along a wall that it touches, one way or the other.
+    fn cling(&mut self) {
+        for index in 0..self.contacts.len() {
+            let contact = self.contacts[index];
+            if is_wall(&contact) {
+                let along = DVec3::Y.cross(contact.away);
+                for normal in [along, -along] {
+                    self.contacts.push(Touching { normal, ..contact });
+                }
+            }
+        }
+    }
+
+    /// Lets go of the walls to which nothing presses the members, and tells whether there are any.
+    fn slip(&mut self) -> bool {
+        let presses = |contact: &Touching| !clings(contact) && contact.impulse > 0.0;
+        let pressed: Vec<(usize, Against)> = self
+            .contacts
+            .iter()
+            .filter(|contact| is_wall(contact) && presses(contact))
+            .map(|contact| (contact.first, contact.against))
+            .collect();
+        let count = self.contacts.len();
+        self.contacts.retain(|contact| {
+            !clings(contact) || pressed.contains(&(contact.first, contact.against))
+        });
+        self.contacts.len() < count
+    }
+}
+
+fn is_wall(contact: &Touching) -> bool {
+    matches!(contact.against, Against::Wall { .. })
+}
+
+/// Whether this is one that [`Cluster::cling`] has added: it is across what it belongs to.
+fn clings(contact: &Touching) -> bool {
+    is_wall(contact) && contact.normal.dot(contact.away).abs() < 0.5
 }
