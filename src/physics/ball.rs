@@ -68,7 +68,8 @@ pub enum Motion {
     Airborne,
     /// Rolls over the rounded edge of a pocket.
     Tipping,
-    /// At rest off the slate: the edge of a pocket, its liner, noses or other such balls bear it.
+    /// At rest off the slate: the edge of a pocket, its liner, noses or other such balls bear it. It may turn in place if nothing
+    /// rubs on it.
     Wedged,
     /// In a pocket: out of play.
     Pocketed,

@@ -6,6 +6,7 @@ use glam::DVec3;
 
 use crate::physics::ball::Motion;
 use crate::physics::laws::Laws;
+use crate::physics::laws::cluster::smith_2012::ends;
 use crate::physics::laws::cluster::{Against, CONTACT_TIME, Cluster, Member, SLOW, Touching};
 
 /// Speed in m/s, of the centre and of the surface, up to which a ball that its weight does not move comes to rest: it would
@@ -86,8 +87,9 @@ impl Cluster {
     ///
     /// Slow balls are held that a contact time of their weight alone does not move: the velocities that follow from it are
     /// unique (see `complementarity`). What moves bears nothing, so it is asked again without it. Along the wall of a pocket
-    /// that it is pressed to none moves: each touch takes a share of that motion, so lasting contact takes all of it. A jam
-    /// takes the spin too: there is no limit to what presses there.
+    /// that it is pressed to none moves: each touch takes a share of that motion, so lasting contact takes all of it. A ball that
+    /// spins is not held while what it touches rubs on it, except in a jam, which takes the spin too: there is no limit to what
+    /// presses there.
     pub fn hold(&mut self, laws: &Laws, jammed: bool) {
         self.before.clear();
         self.before
@@ -97,10 +99,11 @@ impl Cluster {
         };
         let fall = CONTACT_TIME * gravity;
         self.held.clear();
-        for Member { body, state, .. } in &self.members {
-            let spin = body.radius * state.angular_velocity.length();
-            let calm = state.velocity.length() <= CALM && (jammed || spin <= CALM);
-            self.held.push(state.motion.flies() && calm);
+        for place in 0..self.members.len() {
+            let state = self.members[place].state;
+            let calm = state.motion.flies() && state.velocity.length() <= CALM;
+            let held = calm && (jammed || !self.is_driven(laws, place, fall));
+            self.held.push(held);
         }
         self.cling();
         loop {
@@ -134,16 +137,45 @@ impl Cluster {
         }
         self.contacts.clear();
         for place in 0..self.members.len() {
-            let state = &mut self.members[place].state;
+            let Member { body, state, .. } = &mut self.members[place];
             *state = self.before[place];
             if self.held[place] {
+                let spin = body.radius * state.angular_velocity.length();
+                if jammed || spin <= CALM {
+                    state.angular_velocity = DVec3::ZERO;
+                }
                 state.velocity = DVec3::ZERO;
-                state.angular_velocity = DVec3::ZERO;
                 state.motion = Motion::Wedged;
             } else if state.motion == Motion::Wedged {
                 state.motion = Motion::Airborne;
             }
         }
+    }
+
+    /// Whether what a member touches rubs on its spin when it is pressed to it at this speed in m/s: that drives it on. It may
+    /// turn for ever where nothing rubs, or about a contact.
+    fn is_driven(&mut self, laws: &Laws, place: usize, pressed: f64) -> bool {
+        let Member { body, state, .. } = self.members[place];
+        let spin = state.angular_velocity;
+        if body.radius * spin.length() <= CALM {
+            return false;
+        }
+        let contacts = self.contacts.iter();
+        let own = contacts.filter(|contact| ends(contact).any(|(ball, _)| ball == place));
+        let slipping: Vec<Touching> = own
+            .filter(|contact| body.radius * spin.cross(contact.normal).length() > CALM)
+            .copied()
+            .collect();
+        slipping.iter().any(|contact| {
+            let kept = self.members.clone();
+            for (ball, sign) in ends(contact) {
+                self.members[ball].state.velocity = -0.5 * sign * pressed * contact.normal;
+            }
+            self.apply(laws, contact, Some(0.0));
+            let after = self.members[place].state.angular_velocity;
+            self.members = kept;
+            after != spin
+        })
     }
 
     /// Lets no member move along a wall that it touches, one way or the other.

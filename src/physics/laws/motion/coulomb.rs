@@ -95,8 +95,7 @@ const LIFT: f64 = 1e-7;
 
 pub(super) fn classify(ball: &Ball, mut state: State) -> State {
     if state.motion.flies() {
-        let moves = state.velocity != DVec3::ZERO || state.angular_velocity != DVec3::ZERO;
-        if state.motion == Motion::Wedged && moves {
+        if state.motion == Motion::Wedged && state.velocity != DVec3::ZERO {
             state.motion = Motion::Airborne;
         }
         return state;
