@@ -5,6 +5,7 @@ use masse::physics::cue::Shot;
 use masse::physics::exact::{Engine, Limits, Watch};
 use masse::physics::laws::Laws;
 use masse::physics::laws::cluster::DEEP;
+use masse::physics::laws::pocket::PocketLaw;
 use masse::physics::record::{Event, EventKind, Participant, PathPiece};
 use masse::physics::scene::{Scene, Solver, Stepped};
 use masse::physics::table::Preset;
@@ -22,10 +23,13 @@ const MOMENTUM: f64 = 1e-10;
 const OVERLAP: f64 = 0.1 * DEEP;
 
 /// Most events of a scene: two that lean on each other touch a thousand times a second, and a ball on the slate can lean on
-/// three others.
+/// three others. One that slides down into a pocket leans on the edge, the liner, two noses and another ball, and touches them
+/// when they press it and when it parts from the last of them.
 fn most_events(scene: &Scene) -> u64 {
+    let falls = scene.laws.pocket != PocketLaw::Capture && !scene.table.pockets.is_empty();
     let (balls, time) = (scene.balls.len() as f64, scene.time_limit);
-    2000 + (3000.0 * balls * (1.0 + time)) as u64
+    let in_pockets = if falls { 6000.0 * balls * time } else { 0.0 };
+    2000 + (3000.0 * balls * (1.0 + time) + in_pockets) as u64
 }
 
 fn judge(seen: &Worst, most: u64) -> Result<(), String> {

@@ -161,6 +161,7 @@ impl Cluster {
         if blow == Blow::Impact {
             self.firm();
         }
+        let no_rebound = self.ends_without_rebound();
         let rebound = if self.is_squeezed(blow, &ages) {
             0.0
         } else {
@@ -181,6 +182,10 @@ impl Cluster {
                 .push((again || pressed) && blow == Blow::Impact);
         }
         self.resolve(laws, blow);
+        if no_rebound {
+            self.ground(table);
+            self.bear(laws, &[]);
+        }
         self.classify(laws, table);
         if self.must_part(laws, table, blow) {
             let parting = std::mem::take(&mut self.parting);
@@ -188,7 +193,7 @@ impl Cluster {
             self.turn_hollow(&parting);
             // The slate takes up what drives a ball into it: one that bears another on top gives way again and again.
             for _ in 0..BEARINGS {
-                self.settle(laws, &parting);
+                self.bear(laws, &parting);
                 self.classify(laws, table);
                 if self.have_parted(&parting) {
                     break;
@@ -206,12 +211,9 @@ impl Cluster {
     }
 
     /// Where a pocket turns a fast ball, what leans on that ball is in the way, and to part from both can take far more speed
-    /// than either: all are slowed then, by one share, until no energy is won but what lasting contacts may win. Tells whether
-    /// they are.
+    /// than either; so it does between walls that nearly face each other. All are slowed then, by one share, until no energy is
+    /// won but what lasting contacts may win. Tells whether they are.
     fn hold_energy(&mut self, before: f64) -> bool {
-        if self.contacts.iter().all(|contact| contact.hollow == 0.0) {
-            return false;
-        }
         let way = |member: &Member| 0.5 * member.body.mass * member.state.velocity.length_squared();
         let most = |member: &Member| 0.5 * member.body.mass * SLOW * SLOW;
         let moving: f64 = self.members.iter().map(way).sum();

@@ -1,5 +1,6 @@
 //! Impacts of several touching bodies at one instant: racks, cradles, corners, balls frozen to each other or to a cushion.
 
+mod borne;
 mod complementarity;
 mod friction;
 mod lasting;

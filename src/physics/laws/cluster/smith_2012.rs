@@ -41,7 +41,7 @@ pub struct Cluster {
     pub(super) firm: Vec<(usize, f64)>,
     pub(super) held: Vec<bool>,
     pub(super) jammed: bool,
-    borne: bool,
+    pub(super) borne: bool,
     pub(super) system: Complementarity,
     active: Vec<usize>,
     group: Vec<usize>,
@@ -93,17 +93,14 @@ impl Cluster {
             }
             self.round(laws);
         }
-        self.settle(laws, &[]);
+        self.settle(laws);
     }
 
-    /// Ends the closing of every contact without rebound, so that contact i parts with at least `parting[i]` m/s;
-    /// an empty list is zeros.
-    pub fn settle(&mut self, laws: &Laws, parting: &[f64]) {
+    /// Ends the closing of every contact without rebound.
+    pub fn settle(&mut self, laws: &Laws) {
         self.component.clear();
         self.component.extend(0..self.contacts.len());
-        self.borne = !parting.is_empty();
-        self.reflect(laws, parting, true, false);
-        self.borne = false;
+        self.reflect(laws, &[], true, false);
     }
 
     /// One round over the active contacts, group by group of contacts that share balls.
@@ -207,7 +204,13 @@ impl Cluster {
     }
 
     /// Reflects the contacts of the component together.
-    fn reflect(&mut self, laws: &Laws, parting: &[f64], inelastic: bool, friction: bool) {
+    pub(super) fn reflect(
+        &mut self,
+        laws: &Laws,
+        parting: &[f64],
+        inelastic: bool,
+        friction: bool,
+    ) {
         self.assemble(parting);
         self.system.solve();
         self.agree(laws, inelastic);
@@ -302,17 +305,6 @@ impl Cluster {
             let way = self.push_of(contact, ball, sign);
             let member = &mut self.members[ball];
             member.state.velocity += impulse / member.body.mass * way;
-        }
-    }
-
-    /// Where a unit impulse of a contact moves one of its balls of mass 1. Of one on the slate that lasting contacts press
-    /// down the slate takes up that part at the same moment; of one that is struck it answers afterwards.
-    fn push_of(&self, contact: &Touching, ball: usize, sign: f64) -> DVec3 {
-        let way = sign * contact.normal;
-        if self.borne && way.y < 0.0 && !self.members[ball].state.motion.flies() {
-            DVec3::new(way.x, 0.0, way.z)
-        } else {
-            way
         }
     }
 

@@ -123,7 +123,7 @@ impl Cluster {
             for contact in &mut self.contacts {
                 contact.impulse = 0.0;
             }
-            self.settle(laws, &[]);
+            self.settle(laws);
             let mut again = self.slip();
             for (member, held) in self.members.iter().zip(&mut self.held) {
                 if *held && member.state.velocity.length() > MOVED * fall {
