@@ -133,6 +133,7 @@ pub(super) fn plugin(app: &mut App) {
             FixedUpdate,
             (
                 leave.before(obey).before(SimSystems::Strike),
+                forget.after(SimSystems::Strike).before(SimSystems::Advance),
                 (listen, show).chain().after(SimSystems::Judge),
             ),
         );
@@ -160,6 +161,24 @@ pub(super) fn leave(
 ) {
     if strikes.read().count() + scenes.read().count() + commands.read().count() > 0 {
         end(&mut replay, &mut balls);
+    }
+}
+
+/// The same for a scene that was asked for after that in the same tick.
+pub(super) fn leave_for_scene(
+    mut replay: ResMut<Replay>,
+    mut balls: Balls,
+    mut scenes: MessageReader<LoadScene>,
+) {
+    if scenes.read().count() > 0 {
+        end(&mut replay, &mut balls);
+    }
+}
+
+/// Balls that have just been laid out are not those of the replay: there is nothing to put back.
+fn forget(mut replay: ResMut<Replay>, new: Query<(), Added<BallIndex>>) {
+    if replay.is_active() && !new.is_empty() {
+        replay.0 = None;
     }
 }
 
@@ -237,7 +256,7 @@ mod tests {
     use crate::physics::laws::Laws;
     use crate::physics::scene::{PlannedShot, Scene};
     use crate::physics::table::Preset;
-    use crate::sim::stepping::{headless_app, states, step};
+    use crate::sim::stepping::{headless_app, scene, states, step};
 
     fn played() -> App {
         let mut scene = Scene::new(Preset::NineFoot.table(), Laws::default());
@@ -301,6 +320,26 @@ mod tests {
         playback.looping = true;
         playback.advance(0.25);
         assert!((playback.time - (end - 0.25)).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_scene_that_is_asked_for_late_in_a_tick_is_laid_out_as_it_is() {
+        let mut app = played();
+        ask(&mut app, ReplayCommand::Start);
+        let mut wanted = scene(&mut app);
+        wanted.balls.truncate(1);
+        wanted.shot = None;
+        wanted.balls[0].state = State::at_rest(glam::DVec3::new(0.3, Ball::POOL.radius, 0.1));
+        let asked = wanted.clone();
+        let late = move |mut load: MessageWriter<LoadScene>, mut done: Local<bool>| {
+            if !std::mem::replace(&mut *done, true) {
+                load.write(LoadScene(asked.clone()));
+            }
+        };
+        app.add_systems(FixedUpdate, late.after(leave).before(SimSystems::Strike));
+        step(&mut app, 5);
+        assert!(!app.world().resource::<Replay>().is_active());
+        assert_eq!(scene(&mut app).balls, wanted.balls);
     }
 
     #[test]

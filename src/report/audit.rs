@@ -9,7 +9,7 @@ use glam::{DVec2, DVec3};
 use crate::physics::ball::{Ball, Motion, State};
 use crate::physics::exact::Watch;
 use crate::physics::laws::ball_ball::BallBallLaw;
-use crate::physics::laws::cluster::{CONTACT_TIME, STILL};
+use crate::physics::laws::cluster::{CONTACT_TIME, SLOW, STILL};
 use crate::physics::record::{Event, EventKind, Participant, PathPiece, Record};
 use crate::physics::scene::Scene;
 use crate::physics::table::Ground;
@@ -154,14 +154,16 @@ impl<'s> Audit<'s> {
         path.piece.at((time - path.time).max(0.0))
     }
 
-    /// What lasting contacts may add at one event in J: they part with half the speed that their press gives them in a
-    /// contact time, and with a speed that is too little to tell from rest. Falls below the slate count from there.
+    /// What lasting contacts may add at one event in J: they part with half the speed that their press gives them in a contact
+    /// time, where there is weight with [`SLOW`] at least, and with a speed that is too little to tell from rest. Falls below
+    /// the slate count from there.
     fn allowance(&self, event: &Event) -> f64 {
         event
             .participants()
             .map(|one| {
                 let press = self.paths[one.ball].piece.acceleration.length();
-                let speed = CONTACT_TIME * press.max(self.gravity) + 4.0 * STILL;
+                let least = if self.gravity > 0.0 { SLOW } else { 0.0 };
+                let speed = (CONTACT_TIME * press.max(self.gravity)).max(least) + 4.0 * STILL;
                 self.scene.balls[one.ball].ball.mass * speed * speed
             })
             .sum()

@@ -21,7 +21,7 @@ use crate::game::matches::{
 };
 use crate::game::players::Progress;
 use crate::game::practice::{obey, settle, take_up};
-use crate::game::replay::leave;
+use crate::game::replay::{leave, leave_for_scene};
 use crate::game::rules::{Call, Choice, Game, Verdict};
 use crate::game::saying::Saying;
 use crate::physics::cue::Shot;
@@ -225,7 +225,7 @@ pub(super) fn plugin(app: &mut App) {
         .add_systems(
             FixedUpdate,
             (
-                (desk::give_way, desk::obey)
+                (desk::give_way, desk::obey, leave_for_scene)
                     .chain()
                     .after(leave)
                     .before(obey)

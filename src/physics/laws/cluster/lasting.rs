@@ -157,11 +157,14 @@ impl Cluster {
             .extend(self.members.iter().map(|member| member.state));
         self.lasting.clear();
         self.firm.clear();
-        self.jammed = false;
+        (self.jammed, self.stuck) = (false, false);
         if blow == Blow::Impact {
             self.firm();
         }
         let no_rebound = self.ends_without_rebound();
+        let first = self.contacts.first();
+        let known =
+            first.is_some_and(|one| ages(self.members[one.first].ball, self.other(one)) <= 0.0);
         let rebound = if self.is_squeezed(blow, &ages) {
             0.0
         } else {
@@ -206,40 +209,11 @@ impl Cluster {
             if self.hold_energy(before) {
                 self.classify(laws, table);
             }
-        }
-        self.loosen();
-    }
-
-    /// Where a pocket turns a fast ball, what leans on that ball is in the way, and to part from both can take far more speed
-    /// than either; so it does between walls that nearly face each other. All are slowed then, by one share, until no energy is
-    /// won but what lasting contacts may win. Tells whether they are.
-    fn hold_energy(&mut self, before: f64) -> bool {
-        let way = |member: &Member| 0.5 * member.body.mass * member.state.velocity.length_squared();
-        let most = |member: &Member| 0.5 * member.body.mass * SLOW * SLOW;
-        let moving: f64 = self.members.iter().map(way).sum();
-        let allowed = before + self.members.iter().map(most).sum::<f64>();
-        let excess = self.energy() - allowed;
-        if excess <= 0.0 || moving <= 0.0 {
-            return false;
-        }
-        let kept = (1.0 - excess / moving).max(0.0).sqrt();
-        for member in &mut self.members {
-            member.state.velocity *= kept;
-        }
-        true
-    }
-
-    /// What a hollow contact gives a ball that runs along it on the way out it takes from the run: it is turned, not driven.
-    fn turn_hollow(&mut self, parting: &[f64]) {
-        for (contact, parting) in self.contacts.iter().zip(parting) {
-            let state = &mut self.members[contact.first].state;
-            let (turned, along) = turned(contact, state);
-            if turned > 0.0 && *parting >= turned {
-                let run = state.velocity.dot(along);
-                let kept = (1.0 - (turned / run) * (turned / run)).max(0.0).sqrt();
-                state.velocity -= (1.0 - kept) * run * along;
+            if self.jammed && known {
+                self.stick();
             }
         }
+        self.loosen();
     }
 
     /// Whether every contact parts with at least half the speed that it must.
@@ -327,7 +301,7 @@ impl Cluster {
 
 /// The speed in m/s that a ball which runs along something hollow must get away from it so as not to meet it again within a
 /// contact time, and the direction in which it runs. One that is faster than that is turned by at most 30°.
-fn turned(contact: &Touching, state: &State) -> (f64, DVec3) {
+pub(super) fn turned(contact: &Touching, state: &State) -> (f64, DVec3) {
     let along = DVec3::Y.cross(contact.away);
     let run = state.velocity.dot(along);
     let turned = 0.5 * CONTACT_TIME * contact.hollow * run * run;

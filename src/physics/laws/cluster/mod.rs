@@ -2,6 +2,7 @@
 
 mod borne;
 mod complementarity;
+mod energy;
 mod friction;
 mod lasting;
 mod smith_2012;

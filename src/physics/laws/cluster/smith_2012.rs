@@ -41,6 +41,7 @@ pub struct Cluster {
     pub(super) firm: Vec<(usize, f64)>,
     pub(super) held: Vec<bool>,
     pub(super) jammed: bool,
+    pub(super) stuck: bool,
     pub(super) borne: bool,
     pub(super) system: Complementarity,
     active: Vec<usize>,
@@ -306,15 +307,6 @@ impl Cluster {
             let member = &mut self.members[ball];
             member.state.velocity += impulse / member.body.mass * way;
         }
-    }
-
-    /// Kinetic energy in J of all members.
-    #[must_use]
-    pub fn energy(&self) -> f64 {
-        self.members
-            .iter()
-            .map(|member| member.body.kinetic_energy(&member.state))
-            .sum()
     }
 }
 

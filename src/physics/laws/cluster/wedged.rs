@@ -63,7 +63,31 @@ impl Cluster {
             let contact = &self.contacts[index];
             flies(contact.first) || contact.against.member().is_some_and(flies)
         };
-        self.lasting.first() == Some(&true) && of_contact(0)
+        !self.stuck && self.lasting.first() == Some(&true) && of_contact(0)
+    }
+
+    /// In a pocket what has jammed, and meets again at the same moment, is stuck where it is: no speed parts it from all that it
+    /// touches, and no time would pass any more. Until something meets it, whatever its weight says.
+    pub(super) fn stick(&mut self) {
+        let part_of_pocket = |one: &Touching| one.hollow != 0.0 || is_wall(one);
+        if !self.contacts.iter().any(part_of_pocket) {
+            return;
+        }
+        for index in 0..self.contacts.len() {
+            let (contact, parting) = (self.contacts[index], self.parting[index]);
+            if parting <= 0.0 || self.closing(&contact) <= -0.5 * parting {
+                continue;
+            }
+            for (place, _) in ends(&contact) {
+                let state = &mut self.members[place].state;
+                if state.motion.flies() {
+                    state.velocity = DVec3::ZERO;
+                    state.angular_velocity = DVec3::ZERO;
+                    state.motion = Motion::Wedged;
+                    self.stuck = true;
+                }
+            }
+        }
     }
 
     /// The balls that were wedged and are so no more.
