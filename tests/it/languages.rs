@@ -18,7 +18,7 @@ fn messages(text: &str) -> BTreeMap<String, BTreeSet<String>> {
     let mut key = None;
     for line in text.lines() {
         if let Some((name, _)) = line
-            .split_once(" = ")
+            .split_once(" =")
             .filter(|_| !line.starts_with([' ', '#']))
         {
             let before = found.insert(name.to_owned(), BTreeSet::new());
