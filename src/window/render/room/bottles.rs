@@ -120,7 +120,7 @@ pub(super) fn bare(along: f32, up: f32) -> Option<Vec3> {
 pub(super) fn painted(along: f32, up: f32) -> Option<Vec3> {
     let bare = bare(along, up)?;
     let (shelf, height) = shelf(up);
-    if up < 1.08 || up > 2.42 || along.abs() > WIDE || height < BOARD {
+    if !(1.08..=2.42).contains(&up) || along.abs() > WIDE || height < BOARD {
         return Some(bare);
     }
     let Some(bottle) = Bottle::of(shelf, (along / CELL).floor()) else {
