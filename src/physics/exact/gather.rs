@@ -8,8 +8,7 @@ use crate::physics::exact::engine::Engine;
 use crate::physics::exact::predict::Partner;
 use crate::physics::exact::walls::{Area, Wall};
 use crate::physics::laws::cluster::{
-    CONTACT_TIME, DEEP, How, LEAN, Member, Other, TOUCH, leans, leans_inside, reach_of, touches,
-    touches_inside,
+    CONTACT_TIME, DEEP, How, LEAN, Member, Other, TOUCH, leans, leans_inside, reach_of,
 };
 use crate::physics::laws::pocket::PocketLaw;
 use crate::physics::table::Pocket;
@@ -71,11 +70,10 @@ impl Engine {
     /// Adds everything that touches the members, and what touches that; also what they lean on, or of those that fly all that
     /// is close.
     pub(super) fn gather(&mut self, partner: Partner, how: How) -> Result<(), SolveError> {
-        let within = if how == How::Close { LEAN } else { TOUCH };
         let mut place = 0;
         while place < self.cluster.members.len() {
             let Member { ball, body, state } = self.cluster.members[place];
-            if how == How::Close && !state.motion.flies() {
+            if !how.spreads_from(&state) {
                 place += 1;
                 continue;
             }
@@ -84,7 +82,7 @@ impl Engine {
             {
                 let mut look = |other: usize| {
                     let flight = &self.flights[other];
-                    let reach = body.radius + flight.radius + within;
+                    let reach = body.radius + flight.radius + how.within();
                     let offset = self.center(other) - state.position;
                     if offset.length_squared() <= reach * reach && flight.in_play && other != ball {
                         near.push(other);
@@ -191,10 +189,8 @@ impl Engine {
             let met = |what| place == 0 && partner == Partner::from(what);
             match wall {
                 Wall::Cushion(cushion) => {
-                    let cushion_line = &self.table.cushions[cushion as usize];
-                    let touches = touches(cushion_line, point, reach)
-                        || (how == How::Close && leans(cushion_line, point, reach));
-                    if touches && !met(Other::Cushion(cushion)) {
+                    let nose = &self.table.cushions[cushion as usize];
+                    if how.takes(nose, point, reach) && !met(Other::Cushion(cushion)) {
                         self.touch_cushion(place, cushion)?;
                     }
                 }
@@ -202,10 +198,8 @@ impl Engine {
                     for what in [Other::Rim(pocket), Other::Wall(pocket)] {
                         let Member { body, state, .. } = &self.cluster.members[place];
                         let (laws, table) = (&self.laws, &self.table);
-                        let touches = touches_inside(laws, table, (body, state), what)
-                            || (how == How::Close
-                                && leans_inside(laws, table, (body, state), what));
-                        if touches && !met(what) {
+                        let takes = how.takes_inside(laws, table, (body, state), what);
+                        if takes && !met(what) {
                             self.touch_inside(place, what);
                         }
                     }

@@ -4,7 +4,7 @@ use glam::DVec2;
 
 use crate::physics::laws::cluster::{
     Against, Blow, CONTACT_TIME, Cluster, How, LEAN, Member, Other, TOUCH, Touching, leans,
-    leans_inside, reach_of, touches, touches_inside,
+    leans_inside, reach_of,
 };
 use crate::physics::record::{Event, EventKind, Participant};
 use crate::sim::playfield::Playfield;
@@ -145,18 +145,17 @@ impl Impact {
         (time, kind, how): (f64, Kind, How),
     ) {
         let (laws, table) = (&playfield.laws, &playfield.table);
-        let within = if how == How::Close { LEAN } else { TOUCH };
         let mut place = 0;
         while place < self.cluster.members.len() {
             let Member { ball, body, state } = self.cluster.members[place];
-            if how == How::Close && !state.motion.flies() {
+            if !how.spreads_from(&state) {
                 place += 1;
                 continue;
             }
             self.near.clear();
             grid.neighbours(bodies, ball, |other| {
                 let there = &bodies.all[other];
-                let reach = body.radius + there.ball.radius + within;
+                let reach = body.radius + there.ball.radius + how.within();
                 let offset = there.piece.position(time - there.since) - state.position;
                 if there.is_in_play() && offset.length_squared() <= reach * reach {
                     self.near.push(other);
@@ -176,9 +175,7 @@ impl Impact {
             let reach = reach_of(table, &body, &state);
             grid.cushions(table, &bodies.all[ball].cells, |cushion| {
                 let met = place == 0 && kind == Kind::Cushion(cushion);
-                let line = &table.cushions[cushion];
-                let close = how == How::Close && leans(line, point, reach);
-                if !met && (close || touches(line, point, reach)) {
+                if !met && how.takes(&table.cushions[cushion], point, reach) {
                     self.near.push(cushion);
                 }
             });
@@ -219,8 +216,7 @@ impl Impact {
             let pocket = self.near[index];
             for what in [Other::Rim(pocket as u32), Other::Wall(pocket as u32)] {
                 let met = place == 0 && kind.other() == Some(what);
-                let close = how == How::Close && leans_inside(laws, table, (&body, &state), what);
-                if !met && (close || touches_inside(laws, table, (&body, &state), what)) {
+                if !met && how.takes_inside(laws, table, (&body, &state), what) {
                     self.touch_inside(playfield, place, what);
                 }
             }

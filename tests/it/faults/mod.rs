@@ -20,41 +20,18 @@ mod time;
 #[cfg(feature = "window")]
 mod watched;
 
-use std::time::Duration;
-
 use bevy::prelude::*;
-use bevy::time::TimeUpdateStrategy;
-use masse::game::GamePlugin;
 use masse::game::matches::{Breaks, Mind, Player, Setup};
 use masse::game::practice;
 use masse::game::rules::Game;
 use masse::game::turns::{TurnCommand, Turns};
 use masse::physics::ball::State;
 use masse::physics::cue::Shot;
-use masse::sim::SimPlugin;
 use masse::sim::clock::Clock;
 use masse::sim::messages::Strike;
-use masse::sim::playfield::lay_out;
 use masse::sim::stepping;
 
-/// A racked table that somebody plays at, without a window.
-fn table() -> App {
-    let mut app = App::new();
-    app.add_plugins((MinimalPlugins, SimPlugin, GamePlugin));
-    app.finish();
-    app.cleanup();
-    lay_out(app.world_mut(), &practice::opening());
-    frame(&mut app, 0.016);
-    app
-}
-
-/// A frame of so many seconds.
-fn frame(app: &mut App, length: f64) {
-    app.insert_resource(TimeUpdateStrategy::ManualDuration(Duration::from_secs_f64(
-        length,
-    )));
-    app.update();
-}
+use crate::fuzz::whims::{frame, table};
 
 /// A break.
 fn strike(app: &mut App) {

@@ -15,7 +15,7 @@ mod scenes;
 mod sound;
 mod texts;
 mod wedged;
-mod whims;
+pub(crate) mod whims;
 
 use std::fmt::Debug;
 use std::panic::{AssertUnwindSafe, catch_unwind};

@@ -125,7 +125,7 @@ fn setup(game: Game, seed: u64) -> Setup {
 }
 
 /// A table that somebody plays at.
-fn table() -> App {
+pub(crate) fn table() -> App {
     let mut app = App::new();
     app.add_plugins((MinimalPlugins, SimPlugin, GamePlugin));
     app.finish();
@@ -135,7 +135,7 @@ fn table() -> App {
     app
 }
 
-fn frame(app: &mut App, length: f64) {
+pub(crate) fn frame(app: &mut App, length: f64) {
     app.insert_resource(TimeUpdateStrategy::ManualDuration(Duration::from_secs_f64(
         length,
     )));

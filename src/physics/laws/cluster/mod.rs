@@ -11,9 +11,7 @@ mod wedged;
 
 pub use lasting::{CONTACT_TIME, LEAN, Other, SLOW, Touched, put_off};
 pub use smith_2012::{Cluster, ROUNDS};
-pub use touching::{
-    DEEP, How, Inside, inside, leans, leans_inside, reach_of, touches, touches_inside,
-};
+pub use touching::{DEEP, How, Inside, inside, leans, leans_inside, reach_of};
 
 use glam::DVec3;
 

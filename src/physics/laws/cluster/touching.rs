@@ -20,6 +20,42 @@ pub enum How {
     Close,
 }
 
+impl How {
+    /// Gap in m up to which a ball next to another belongs to it.
+    #[must_use]
+    pub fn within(self) -> f64 {
+        match self {
+            Self::Touching | Self::Leaning => TOUCH,
+            Self::Close => LEAN,
+        }
+    }
+
+    /// Whether what is around a ball with this state belongs to it.
+    #[must_use]
+    pub fn spreads_from(self, state: &State) -> bool {
+        self != Self::Close || state.motion.flies()
+    }
+
+    /// Whether a cushion belongs to a ball here in plan that reaches so far.
+    #[must_use]
+    pub fn takes(self, cushion: &Cushion, point: DVec2, reach: f64) -> bool {
+        touches(cushion, point, reach) || (self == Self::Close && leans(cushion, point, reach))
+    }
+
+    /// Whether the edge or the wall of a pocket belongs to a ball.
+    #[must_use]
+    pub fn takes_inside(
+        self,
+        laws: &Laws,
+        table: &Table,
+        ball: (&Ball, &State),
+        what: Other,
+    ) -> bool {
+        touches_inside(laws, table, ball, what)
+            || (self == Self::Close && leans_inside(laws, table, ball, what))
+    }
+}
+
 /// Overlap in m at an impact that is beyond rounding.
 pub const DEEP: f64 = 1e-6;
 
@@ -172,8 +208,7 @@ pub fn inside(
 
 /// Whether a ball in flight touches the edge or the wall of a pocket, however deep: one that tips is in its edge by up to 0.05
 /// mm between two pieces of its path, and one that comes down behind the hole is in the liner.
-#[must_use]
-pub fn touches_inside(laws: &Laws, table: &Table, ball: (&Ball, &State), what: Other) -> bool {
+fn touches_inside(laws: &Laws, table: &Table, ball: (&Ball, &State), what: Other) -> bool {
     inside(laws, table, ball, what).is_some_and(|met| met.gap <= TOUCH)
 }
 
@@ -196,8 +231,7 @@ pub fn reach_of(table: &Table, body: &Ball, state: &State) -> f64 {
 }
 
 /// Whether a ball whose centre is here in plan and reaches so far touches a cushion; a line has no end caps.
-#[must_use]
-pub fn touches(cushion: &Cushion, point: DVec2, reach: f64) -> bool {
+fn touches(cushion: &Cushion, point: DVec2, reach: f64) -> bool {
     let (distance, _) = cushion.nearest(point);
     is_beside(cushion, point) && distance <= reach + TOUCH && distance > reach - DEEP
 }

@@ -100,7 +100,7 @@ impl Cluster {
             .map(|(member, _)| member.ball)
     }
 
-    /// Whether what touched parted from none of it, however often it tried.
+    /// Whether something that touched did not part, however often it tried.
     #[must_use]
     pub fn is_jammed(&self) -> bool {
         self.jammed
